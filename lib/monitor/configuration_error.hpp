@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+namespace morepro {
+
+/// Why a configuration was refused; nothing of it was taken.
+enum class ConfigurationError : std::uint8_t {
+  kNone = 0,
+  kNotFinite = 1,
+  kNotPositive = 2,
+  kSamplingRate = 3,
+  kStepUnstable = 4,
+  kInductanceNotResolved = 5,
+  kHypothesisCount = 6,
+  kHypothesisOutsideLaw = 7,
+  kThermalRange = 8,
+  kNegative = 9,
+  kTooLarge = 10,
+};
+
+/// The refusal, and the key of the machine file that it is about ("" where it is about a combination).
+struct ConfigurationResult {
+  ConfigurationError error = ConfigurationError::kNone;
+  std::string_view key;
+
+  [[nodiscard]] bool ok() const { return error == ConfigurationError::kNone; }
+};
+
+/// One sentence: what is wrong and what to do.
+std::string_view text_of(ConfigurationError error);
+
+}  // namespace morepro

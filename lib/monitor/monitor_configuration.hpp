@@ -1,0 +1,93 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "lib/frame/channel.hpp"
+#include "lib/plant/built_in_machines.hpp"
+#include "lib/plant/machine_parameters.hpp"
+
+namespace morepro {
+
+/// One sensor: standard deviation of its noise and size of its last bit, both in the channel's unit, >= 0.
+struct SensorNoise {
+  double noise = 0.0;
+  double lsb = 0.0;
+
+  /// Variance of one sample: noise and the uniform error of rounding to the last bit.
+  [[nodiscard]] constexpr double variance() const { return noise * noise + lsb * lsb / 12.0; }
+};
+
+/// Noise of every channel; zero where a machine has no such sensor or its noise is not known.
+struct Sensors {
+  std::array<SensorNoise, kChannelCount> by_channel{};
+
+  constexpr SensorNoise& operator[](Channel channel) { return by_channel[index_of(channel)]; }
+  constexpr const SensorNoise& operator[](Channel channel) const { return by_channel[index_of(channel)]; }
+};
+
+constexpr Sensors reference_sensors() {
+  Sensors sensors;
+  sensors[Channel::kSpindleSpeed] = {1.0, 0.0};
+  sensors[Channel::kFeedSpeed] = {0.002, 0.0};
+  sensors[Channel::kFeedPosition] = {1.0e-6, 0.0};
+  sensors[Channel::kArmatureCurrent] = {0.05, 0.0};
+  sensors[Channel::kSpindleAcceleration] = {200.0, 0.0};
+  sensors[Channel::kToolTemperature] = {0.5, 0.0};
+  return sensors;
+}
+
+constexpr Sensors thesis_sensors() {
+  Sensors sensors = reference_sensors();
+  sensors[Channel::kSpindleSpeed] = {0.5, 0.0};
+  sensors[Channel::kArmatureCurrent] = {0.1, 0.0};
+  sensors[Channel::kSpindleAcceleration] = {1000.0, 0.0};
+  return sensors;
+}
+
+struct Sampling {
+  double rate_hz = 10000.0;  ///< 100 .. 20000
+};
+
+enum class DecisionRule : std::uint8_t { kMarkov = 0, kBayesian = 1, kThesis = 2 };
+
+/// Chip loads that the bank holds: `count` values from `first_mm` in steps of `step_mm`.
+struct HypothesisGrid {
+  double first_mm = 0.02;      ///< > 0
+  double step_mm = 0.01;       ///< > 0
+  std::uint32_t count = 10;    ///< 1 .. the bank's size
+};
+
+/// Choices of the estimators, not of the machine.
+struct FilterTuning {
+  double speed_process_noise_rad_s = 0.02;    ///< standard deviation per step, > 0
+  double current_process_noise_a = 0.01;      ///< standard deviation per step, > 0
+  double feed_process_noise_m_s = 1.0e-4;     ///< standard deviation per step, > 0
+  double chip_load_drift_mm = 1.0e-4;         ///< standard deviation per step of the continuous chip load, > 0
+  double switch_probability = 1.0e-4;         ///< per step, for the Markov rule, in (0, 1)
+  double parameter_start_fraction = 0.3;      ///< standard deviation of the datasheet's values, relative, > 0
+};
+
+/// Everything that a monitor needs to know before its first frame.
+struct MonitorConfiguration {
+  MachineParameters machine;
+  Sensors sensors = reference_sensors();
+  Sampling sampling;
+  HypothesisGrid grid;
+  FilterTuning tuning;
+  DecisionRule rule = DecisionRule::kMarkov;
+};
+
+constexpr MonitorConfiguration reference_configuration() { return MonitorConfiguration{}; }
+
+constexpr MonitorConfiguration thesis_configuration() {
+  MonitorConfiguration configuration;
+  configuration.machine = thesis_machine();
+  configuration.sensors = thesis_sensors();
+  configuration.grid = {.first_mm = 0.1, .step_mm = 0.1, .count = 11};
+  configuration.tuning.speed_process_noise_rad_s = 0.05;
+  configuration.tuning.current_process_noise_a = 0.05;
+  configuration.tuning.chip_load_drift_mm = 1.0e-3;
+  return configuration;
+}
+
+}  // namespace morepro
