@@ -19,8 +19,8 @@ enum class ReadStatus : std::uint8_t {
 /// Why the processor started.
 enum class ResetCause : std::uint8_t { kPowerOn = 0, kWatchdog = 1, kSoftware = 2, kUnknown = 3 };
 
-/// What the monitor needs of hardware, all of it. Every operation returns within a bounded time; none allocates.
-/// README.md of this folder is the porting guide, conformance.hpp the check that a port is right.
+/// What the monitor needs of hardware, all of it. Every operation returns within a bounded time; none
+/// allocates. README.md of this folder is the porting guide, conformance.hpp the check that a port is right.
 template <class B>
 concept Board = requires(B board, SensorFrame& frame, std::span<const std::uint8_t> bytes,
                          std::span<std::uint8_t> buffer) {

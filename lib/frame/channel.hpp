@@ -27,9 +27,12 @@ enum class Channel : std::uint8_t {
 inline constexpr std::size_t kChannelCount = 14;
 
 constexpr std::size_t index_of(Channel channel) { return static_cast<std::size_t>(channel); }
-constexpr std::uint16_t bit_of(Channel channel) { return static_cast<std::uint16_t>(1U << index_of(channel)); }
+constexpr std::uint16_t bit_of(Channel channel) {
+  return static_cast<std::uint16_t>(1U << index_of(channel));
+}
 
-/// Held: the value is applied from this frame's time to the next one's. Sampled: measured at this frame's time.
+/// Held: the value is applied from this frame's time to the next one's. Sampled: measured at this frame's
+/// time.
 enum class ChannelKind : std::uint8_t { kHeldInput, kSampled };
 
 /// What one channel means and which values a sensor of it can give; outside of [lowest, highest] the value is

@@ -9,17 +9,15 @@ enum class ConfigurationError : std::uint8_t {
   kNone = 0,
   kNotFinite = 1,
   kNotPositive = 2,
-  kSamplingRate = 3,
-  kStepUnstable = 4,
-  kInductanceNotResolved = 5,
-  kHypothesisCount = 6,
-  kHypothesisOutsideLaw = 7,
-  kThermalRange = 8,
-  kNegative = 9,
-  kTooLarge = 10,
+  kNegative = 3,
+  kSamplingRate = 4,
+  kHypothesisCount = 5,
+  kHypothesisOutsideLaw = 6,
+  kThermalRange = 7,
+  kNotAProbability = 8,
 };
 
-/// The refusal, and the key of the machine file that it is about ("" where it is about a combination).
+/// The refusal, and the key of the machine file that it is about.
 struct ConfigurationResult {
   ConfigurationError error = ConfigurationError::kNone;
   std::string_view key;

@@ -1,7 +1,8 @@
 #pragma once
 #include <array>
-#include <cstddef>
 #include <cstdint>
+
+#include "lib/plant/parameter.hpp"
 
 namespace morepro {
 
@@ -18,26 +19,16 @@ enum class ChipLoadState : std::uint8_t { kUndetermined = 0, kValid = 1 };
 
 /// Why a parameter's value may or may not be used. Values below kIdentifiable are not usable.
 enum class ParameterStatus : std::uint8_t {
-  kNoSignal = 0,       ///< a channel that it needs is not recorded
-  kNoExcitation = 1,   ///< the recording holds no information on it (so far)
-  kCorrelated = 2,     ///< only a combination with another parameter is determined
-  kIdentifiable = 3,
+  kNoSignal = 0,         ///< a channel that it needs is not recorded
+  kNoExcitation = 1,     ///< the recording holds no information on it (so far)
+  kCorrelated = 2,       ///< only a combination with another parameter is determined
+  kModelMismatch = 3,    ///< the model does not fit the data, so its parameters mean nothing
+  kSamplingTooSlow = 4,  ///< fewer than one sample within L/R: the current moves unseen between two samples
+  kIdentifiable = 5,
 };
 
-/// Order of Health::parameters.
-enum class Parameter : std::uint8_t {
-  kTorqueConstant = 0,
-  kInertia,
-  kMass,
-  kContactForce,
-  kInductance,
-  kResistance,
-  kBackEmfConstant,
-};
-inline constexpr std::size_t kParameterCount = 7;
-
-/// value +- standard_error in the unit of the machine file; meaningful where status is kIdentifiable, the last
-/// value with its (large) standard error otherwise.
+/// value +- standard_error in the unit of the machine file; meaningful where status is kIdentifiable, the
+/// last value with its (large) standard error otherwise.
 struct ParameterEstimate {
   float value = 0.0F;
   float standard_error = 0.0F;
@@ -49,9 +40,9 @@ struct Health {
   std::uint32_t sequence = 0;  ///< of the frame that this answers
   std::uint32_t time_us = 0;
   HealthState state = HealthState::kNotEnoughData;
-  std::uint16_t reason = 0;            ///< ReasonCode
-  std::uint16_t frame_flags = 0;       ///< FrameFlag bits of this frame
-  std::uint16_t rejected_channels = 0; ///< bit_of(channel): a value of this frame that was not used
+  std::uint16_t reason = 0;             ///< ReasonCode
+  std::uint16_t frame_flags = 0;        ///< FrameFlag bits of this frame
+  std::uint16_t rejected_channels = 0;  ///< bit_of(channel): a value of this frame that was not used
   std::uint32_t frames_accepted = 0;
   std::uint32_t frames_rejected = 0;
   std::uint32_t frames_missing = 0;
@@ -69,7 +60,7 @@ struct Health {
   float armature_current_a = 0.0F;
   float innovation_ratio = 0.0F;  ///< windowed mean normalised innovation squared, 1 = as the model expects
 
-  std::array<ParameterEstimate, kParameterCount> parameters{};
+  std::array<ParameterEstimate, kParameterCount> parameters{};  ///< in the order of Parameter
 };
 
 }  // namespace morepro

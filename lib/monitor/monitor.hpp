@@ -1,53 +1,326 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
 
+#include "lib/frame/frame_flag.hpp"
 #include "lib/frame/sensor_frame.hpp"
+#include "lib/monitor/configuration_check.hpp"
 #include "lib/monitor/configuration_error.hpp"
+#include "lib/monitor/feed_tracker.hpp"
+#include "lib/monitor/frame_guard.hpp"
 #include "lib/monitor/health.hpp"
+#include "lib/monitor/held_inputs.hpp"
+#include "lib/monitor/measurement_variance.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
+#include "lib/monitor/parameter_tracker.hpp"
 #include "lib/monitor/reason.hpp"
+#include "lib/monitor/sensor_watch.hpp"
+#include "lib/monitor/spindle_tracker.hpp"
+#include "lib/monitor/wear_judge.hpp"
 
 namespace morepro {
 
-/// Everything that runs at every sample, in fixed memory. kN: hypotheses that the bank can hold, 1..64.
+/// Everything that runs at every sample, in fixed memory: guard, bank, decision, continuous chip load, feed
+/// axis, identification, verdict. kN: hypotheses that the bank can hold, 1..64.
+///
+/// The same frames give the same bits on every machine. step() takes a bounded time and may run in an
+/// interrupt; no call allocates, blocks or reads a clock.
 template <std::size_t kN>
 class Monitor {
  public:
-  Monitor() { (void)configure(reference_configuration()); }
+  /// With the reference machine, so that a board works without any file.
+  Monitor() : configuration_(reference_configuration()), estimators_(configuration_) {}
 
-  /// Takes a configuration and forgets everything measured so far; on refusal the old one stays.
+  /// Takes a configuration and forgets everything measured so far; on refusal the old one stays and nothing
+  /// is forgotten.
   [[nodiscard]] ConfigurationResult configure(const MonitorConfiguration& configuration) {
+    const auto result = check(configuration, kN);
+    if (!result.ok()) return result;
     configuration_ = configuration;
     reset();
-    return {};
+    return result;
   }
 
   /// Forgets everything measured so far.
-  void reset() { health_ = Health{}; }
+  void reset() {
+    health_ = Health{};
+    static_assert(std::is_trivially_destructible_v<Estimators>);
+    std::construct_at(&estimators_, configuration_);
+  }
 
-  /// One frame in, one answer out. Bounded time; may run in an interrupt.
+  /// One frame in, one answer out; the answer stays valid until the next call.
   const Health& step(const SensorFrame& frame) {
+    const GuardedFrame seen = estimators_.guard.check(frame);
     health_.sequence = frame.sequence;
     health_.time_us = frame.time_us;
+    health_.frame_flags = seen.flags;
+    health_.rejected_channels = seen.rejected;
+    if (!seen.is_accepted) {
+      ++health_.frames_rejected;
+      return health_;
+    }
     ++health_.frames_accepted;
+    health_.frames_missing += seen.missing;
+    process(seen);
     return health_;
   }
 
   /// The link dropped something that was no frame.
   void count_corrupt() { ++health_.frames_rejected; }
 
+  /// Somebody changed the tool: its wear starts anew.
+  void tool_changed() { estimators_.wear.tool_changed(); }
+
   [[nodiscard]] const Health& health() const { return health_; }
   [[nodiscard]] const MonitorConfiguration& configuration() const { return configuration_; }
   [[nodiscard]] std::size_t hypothesis_count() const { return configuration_.grid.count; }
   [[nodiscard]] float hypothesis_mm(std::size_t index) const {
-    return static_cast<float>(configuration_.grid.first_mm + static_cast<double>(index) * configuration_.grid.step_mm);
+    return static_cast<float>(configuration_.grid.value_mm(index));
   }
-  [[nodiscard]] float probability(std::size_t) const { return 0.0F; }
+  /// Of a hypothesis, given the measurements in contact so far; equal for all before the first contact.
+  [[nodiscard]] float probability(std::size_t index) const { return estimators_.spindle.probability(index); }
 
  private:
+  struct Estimators {
+    explicit Estimators(const MonitorConfiguration& c)
+        : guard(c.sampling.rate_hz),
+          held(c.machine),
+          spindle(c),
+          feed(c),
+          parameters(c),
+          wear(c.wear, c.sampling.rate_hz),
+          speed_variance(measurement_variance(c, Channel::kSpindleSpeed)),
+          current_variance(measurement_variance(c, Channel::kArmatureCurrent)),
+          feed_speed_variance(measurement_variance(c, Channel::kFeedSpeed)),
+          position_variance(measurement_variance(c, Channel::kFeedPosition)),
+          rate_hz(static_cast<float>(c.sampling.rate_hz)) {}
+
+    FrameGuard guard;
+    HeldInputs held;
+    SpindleTracker<kN> spindle;
+    FeedTracker feed;
+    ParameterTracker parameters;
+    WearJudge wear;
+    SensorWatch sensors;
+    float speed_variance, current_variance, feed_speed_variance, position_variance;
+    float rate_hz;
+    float last_speed_rad_s = 0.0F;
+    std::uint32_t restarts = 0;
+    std::uint32_t frames_since_restart = 0;
+  };
+
+  /// So many restarts of a state within so many frames of each other are no accident: the model is wrong.
+  static constexpr std::uint32_t kRestartsOfAGap = 4;
+  static constexpr std::uint32_t kRestartMemory = 5000;
+  static constexpr float kGapRatio = 3.0F;
+
+  void process(const GuardedFrame& seen) {
+    auto& e = estimators_;
+    const SensorFrame& frame = seen.frame;
+    auto spindle = spindle_measurement(frame);
+    auto feed = feed_measurement(frame);
+    if (seen.is_restart) {
+      restart(spindle, feed);
+    } else {
+      for (std::uint32_t k = 1; k < seen.periods; ++k) coast();
+      step_estimators(spindle, feed, acceleration(frame));
+    }
+    e.sensors.step(usable(frame, spindle, feed), health_.rejected_channels, health_.frame_flags);
+    e.last_speed_rad_s = frame.has(Channel::kSpindleSpeed) ? frame.get(Channel::kSpindleSpeed)
+                                                           : e.spindle.chip_load().speed_rad_s();
+    hold_inputs(frame);
+    write_health();
+  }
+
+  SpindleMeasurement<float> spindle_measurement(const SensorFrame& frame) const {
+    const bool speed = frame.has(Channel::kSpindleSpeed), current = frame.has(Channel::kArmatureCurrent);
+    return {speed ? frame.get(Channel::kSpindleSpeed) : 0.0F,
+            current ? frame.get(Channel::kArmatureCurrent) : 0.0F,
+            speed ? estimators_.speed_variance : kUnmeasured,
+            current ? estimators_.current_variance : kUnmeasured};
+  }
+
+  FeedMeasurement<float> feed_measurement(const SensorFrame& frame) const {
+    const bool speed = frame.has(Channel::kFeedSpeed), position = frame.has(Channel::kFeedPosition);
+    return {speed ? frame.get(Channel::kFeedSpeed) : 0.0F,
+            position ? frame.get(Channel::kFeedPosition) : 0.0F,
+            speed ? estimators_.feed_speed_variance : kUnmeasured,
+            position ? estimators_.position_variance : kUnmeasured};
+  }
+
+  void restart(const SpindleMeasurement<float>& spindle, const FeedMeasurement<float>& feed) {
+    estimators_.spindle.restart(spindle);
+    estimators_.feed.restart(feed);
+    estimators_.parameters.restart();
+  }
+
+  void coast() {
+    auto& e = estimators_;
+    if (e.held.knows(Channel::kArmatureVoltage)) e.spindle.coast(e.held.spindle());
+    if (e.held.knows(Channel::kFeedForce)) e.feed.coast(e.held.feed());
+    e.parameters.restart();
+  }
+
+  /// Measured, or the difference of the last two measured speeds.
+  float acceleration(const SensorFrame& frame) const {
+    if (frame.has(Channel::kSpindleAcceleration)) return frame.get(Channel::kSpindleAcceleration);
+    return (frame.get(Channel::kSpindleSpeed) - estimators_.last_speed_rad_s) * estimators_.rate_hz;
+  }
+
+  void step_estimators(SpindleMeasurement<float>& spindle, FeedMeasurement<float>& feed,
+                       float acceleration_rad_s2) {
+    auto& e = estimators_;
+    if (!e.held.knows(Channel::kArmatureVoltage) && !e.held.knows(Channel::kFeedForce))
+      flag(FrameFlag::kNoInput);
+    if (e.held.knows(Channel::kArmatureVoltage)) step_spindle(spindle, acceleration_rad_s2);
+    if (e.held.knows(Channel::kFeedForce)) step_feed(feed);
+    e.parameters.step_spindle(e.held, spindle, cuts_as_commanded());
+    const auto& filter = e.feed.filter();
+    e.parameters.step_feed(e.held, feed, filter.speed_m_s(), math::sqrt(filter.speed_variance()));
+    e.parameters.refresh();
+  }
+
+  void step_spindle(SpindleMeasurement<float>& y, float acceleration_rad_s2) {
+    auto& e = estimators_;
+    const auto outcome = e.spindle.step(e.held.spindle(), y, acceleration_rad_s2);
+    note(outcome.speed_rejected, Channel::kSpindleSpeed);
+    note(outcome.current_rejected, Channel::kArmatureCurrent);
+    count_restart(outcome.restarted);
+    flag_law(e.spindle.chip_load().flags());
+  }
+
+  void step_feed(FeedMeasurement<float>& y) {
+    const auto outcome = estimators_.feed.step(estimators_.held.feed(), y);
+    note(outcome.speed_rejected, Channel::kFeedSpeed);
+    note(outcome.position_rejected, Channel::kFeedPosition);
+    count_restart(outcome.restarted);
+  }
+
+  void flag(FrameFlag flag) {
+    health_.frame_flags = static_cast<std::uint16_t>(health_.frame_flags | bits_of(flag));
+  }
+
+  void note(bool rejected, Channel channel) {
+    if (!rejected) return;
+    flag(FrameFlag::kInnovationGate);
+    health_.rejected_channels = static_cast<std::uint16_t>(health_.rejected_channels | bit_of(channel));
+  }
+
+  void count_restart(bool restarted) {
+    auto& e = estimators_;
+    if (e.frames_since_restart < kRestartMemory)
+      ++e.frames_since_restart;
+    else
+      e.restarts = 0;
+    if (!restarted) return;
+    flag(FrameFlag::kEstimatorReset);
+    e.parameters.restart();
+    e.frames_since_restart = 0;
+    if (e.restarts < kRestartsOfAGap) ++e.restarts;
+  }
+
+  void flag_law(std::uint8_t contact_flags) {
+    if (!estimators_.held.is_in_contact()) return;
+    if ((contact_flags & bits_of(ContactFlag::kCuttingSpeedLow)) != 0) flag(FrameFlag::kSpeedLow);
+    if ((contact_flags & bits_of(ContactFlag::kCuttingSpeedHigh)) != 0) flag(FrameFlag::kSpeedHigh);
+  }
+
+  static std::uint16_t usable(const SensorFrame& frame, const SpindleMeasurement<float>& spindle,
+                              const FeedMeasurement<float>& feed) {
+    std::uint16_t bits = frame.present;
+    const auto drop = [&bits](bool is_used, Channel channel) {
+      if (!is_used) bits = static_cast<std::uint16_t>(bits & ~bit_of(channel));
+    };
+    drop(spindle.has_speed(), Channel::kSpindleSpeed);
+    drop(spindle.has_current(), Channel::kArmatureCurrent);
+    drop(feed.has_speed(), Channel::kFeedSpeed);
+    drop(feed.has_position(), Channel::kFeedPosition);
+    return bits;
+  }
+
+  /// The inputs of this frame hold from now on; a new cut or a new command makes the chip load unknown.
+  void hold_inputs(const SensorFrame& frame) {
+    auto& e = estimators_;
+    const bool was_in_contact = e.held.is_in_contact();
+    const float commanded_mm = e.held.get(Channel::kChipLoad);
+    e.held.take(frame);
+    if (!e.held.is_in_contact()) return;
+    if (!was_in_contact)
+      e.spindle.start_cut();
+    else if (!(e.held.get(Channel::kChipLoad) == commanded_mm))
+      e.spindle.forget_chip_load();
+  }
+
+  /// Identification may use the contact torque only where the tool cuts what was commanded.
+  [[nodiscard]] bool cuts_as_commanded() const {
+    const auto& e = estimators_;
+    if (!e.held.knows(Channel::kChipLoad)) return false;
+    const auto& filter = e.spindle.chip_load();
+    const float commanded_mm = e.held.get(Channel::kChipLoad);
+    const float distance = math::abs(filter.chip_load_mm() - commanded_mm);
+    return distance <= 0.1F * commanded_mm + 3.0F * math::sqrt(filter.chip_load_variance_mm2());
+  }
+
+  void write_health() {
+    auto& e = estimators_;
+    const auto& filter = e.spindle.chip_load();
+    const ChipLoadEvidence evidence = chip_load_evidence();
+    const Verdict verdict = decide(evidence);
+    health_.state = verdict.state;
+    health_.reason = static_cast<std::uint16_t>(verdict.reason);
+    const bool is_valid = evidence.has_signals && evidence.is_in_contact &&
+                          evidence.frames_known >= kFewestFrames &&
+                          evidence.standard_error_mm <= static_cast<float>(configuration_.grid.step_mm);
+    health_.chip_load_state = is_valid ? ChipLoadState::kValid : ChipLoadState::kUndetermined;
+    health_.chip_load_mm = evidence.estimate_mm;
+    health_.chip_load_standard_error_mm = evidence.standard_error_mm;
+    health_.hypothesis_count = static_cast<std::uint8_t>(configuration_.grid.count);
+    health_.selected_hypothesis = static_cast<std::uint8_t>(e.spindle.selected());
+    health_.selected_probability = e.spindle.probability(e.spindle.selected());
+    health_.spindle_speed_rad_s = filter.speed_rad_s();
+    health_.armature_current_a = filter.current_a();
+    health_.feed_speed_m_s = e.feed.filter().speed_m_s();
+    health_.innovation_ratio = e.spindle.ratio().value();
+    health_.parameters = e.parameters.estimates();
+  }
+
+  /// A decision from fewer frames of a cut is chance, as is one whose error spans more than one hypothesis.
+  static constexpr std::uint32_t kFewestFrames = 5;
+
+  ChipLoadEvidence chip_load_evidence() const {
+    const auto& e = estimators_;
+    const auto& filter = e.spindle.chip_load();
+    return {.is_in_contact = e.held.is_in_contact(),
+            .has_signals = e.held.knows(Channel::kArmatureVoltage) && e.held.knows(Channel::kSpindleSpeed) &&
+                           e.held.knows(Channel::kArmatureCurrent),
+            .is_commanded = e.held.knows(Channel::kChipLoad),
+            .reference_mm = e.held.get(Channel::kChipLoad),
+            .estimate_mm = filter.chip_load_mm(),
+            .standard_error_mm = math::sqrt(filter.chip_load_variance_mm2()),
+            .frames_known = e.spindle.frames_known()};
+  }
+
+  /// A broken sensor or a model that does not fit come first: what is judged with them means nothing.
+  Verdict decide(const ChipLoadEvidence& evidence) {
+    auto& e = estimators_;
+    const Verdict wear = e.wear.judge(evidence);
+    const ReasonCode fault = e.sensors.fault();
+    if (fault != ReasonCode::kNone) return {HealthState::kSensorFault, fault};
+    if (wear.state == HealthState::kReplace) return wear;
+    if (e.restarts >= kRestartsOfAGap || has_gap(e.spindle.ratio()))
+      return {HealthState::kModelGap, ReasonCode::kModelResidual};
+    if (has_gap(e.feed.ratio())) return {HealthState::kModelGap, ReasonCode::kModelFeedResidual};
+    return wear;
+  }
+
+  static bool has_gap(const RunningRatio& ratio) { return ratio.is_settled() && ratio.value() > kGapRatio; }
+
   MonitorConfiguration configuration_;
   Health health_;
+  Estimators estimators_;
 };
 
 /// The monitor of the board images and of the replay.

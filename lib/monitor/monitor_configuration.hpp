@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "lib/frame/channel.hpp"
@@ -52,19 +53,31 @@ enum class DecisionRule : std::uint8_t { kMarkov = 0, kBayesian = 1, kThesis = 2
 
 /// Chip loads that the bank holds: `count` values from `first_mm` in steps of `step_mm`.
 struct HypothesisGrid {
-  double first_mm = 0.02;      ///< > 0
-  double step_mm = 0.01;       ///< > 0
-  std::uint32_t count = 10;    ///< 1 .. the bank's size
+  double first_mm = 0.02;    ///< > 0
+  double step_mm = 0.01;     ///< > 0
+  std::uint32_t count = 10;  ///< 1 .. the bank's size
+
+  [[nodiscard]] constexpr double value_mm(std::size_t index) const {
+    return first_mm + static_cast<double>(index) * step_mm;
+  }
 };
 
 /// Choices of the estimators, not of the machine.
 struct FilterTuning {
-  double speed_process_noise_rad_s = 0.02;    ///< standard deviation per step, > 0
-  double current_process_noise_a = 0.01;      ///< standard deviation per step, > 0
-  double feed_process_noise_m_s = 1.0e-4;     ///< standard deviation per step, > 0
-  double chip_load_drift_mm = 1.0e-4;         ///< standard deviation per step of the continuous chip load, > 0
-  double switch_probability = 1.0e-4;         ///< per step, for the Markov rule, in (0, 1)
-  double parameter_start_fraction = 0.3;      ///< standard deviation of the datasheet's values, relative, > 0
+  double speed_process_noise_rad_s = 0.02;  ///< standard deviation per step, > 0
+  double current_process_noise_a = 0.01;    ///< standard deviation per step, > 0
+  double feed_process_noise_m_s = 1.0e-4;   ///< standard deviation per step, > 0
+  double chip_load_drift_mm = 5.0e-5;       ///< standard deviation per step of the continuous chip load, > 0
+  double switch_probability = 1.0e-4;       ///< per step, for the Markov rule, in (0, 1)
+  double parameter_start_fraction = 0.3;    ///< standard deviation of the datasheet's values, relative, > 0
+};
+
+/// When the chip load that the torque looks like, divided by the commanded one, is worth a word.
+struct WearLimits {
+  double watch_ratio = 1.2;    ///< > 1
+  double replace_ratio = 1.5;  ///< > watch_ratio
+  double low_ratio = 0.8;      ///< in (0, 1): below, the tool does not cut what it should
+  double hold_s = 0.1;         ///< how long it must last, >= 0
 };
 
 /// Everything that a monitor needs to know before its first frame.
@@ -74,6 +87,7 @@ struct MonitorConfiguration {
   Sampling sampling;
   HypothesisGrid grid;
   FilterTuning tuning;
+  WearLimits wear;
   DecisionRule rule = DecisionRule::kMarkov;
 };
 
@@ -86,7 +100,7 @@ constexpr MonitorConfiguration thesis_configuration() {
   configuration.grid = {.first_mm = 0.1, .step_mm = 0.1, .count = 11};
   configuration.tuning.speed_process_noise_rad_s = 0.05;
   configuration.tuning.current_process_noise_a = 0.05;
-  configuration.tuning.chip_load_drift_mm = 1.0e-3;
+  configuration.tuning.chip_load_drift_mm = 5.0e-4;
   return configuration;
 }
 

@@ -4,19 +4,18 @@
 
 namespace morepro {
 
-/// Why the monitor says what it says. The hundreds are the families: 1 LINK, 2 SENSOR, 3 MODEL, 4 WEAR, 5 CONFIG,
-/// 6 RUNTIME, 7 IDENT. The numbers are fixed: recordings hold them.
+/// Why the monitor says what it says. The hundreds are the families: 1 LINK, 2 SENSOR, 3 MODEL, 4 WEAR, 5
+/// CONFIG, 6 RUNTIME, 7 IDENT. The numbers are fixed: recordings hold them.
 enum class ReasonCode : std::uint16_t {
   kNone = 0,
   kLinkNoFrames = 101,
-  kLinkTooManyMissing = 102,
   kSensorMissing = 201,
   kSensorStuck = 202,
   kSensorNotFinite = 203,
   kSensorOutOfRange = 204,
   kSensorJump = 205,
   kModelResidual = 301,
-  kModelNoneFits = 302,
+  kModelFeedResidual = 302,
   kModelOutsideLaw = 303,
   kWearNoContact = 401,
   kWearSettling = 402,
@@ -24,6 +23,7 @@ enum class ReasonCode : std::uint16_t {
   kWearLoadRaised = 404,
   kWearLoadHigh = 405,
   kWearNoReference = 406,
+  kWearLoadLow = 407,
   kConfigRefused = 501,
   kRuntimeEstimatorReset = 601,
 };

@@ -1,0 +1,73 @@
+#include <array>
+
+#include "firmware/boards/almec/f405_registers.hpp"
+#include "firmware/boards/cortex_m/mmio.hpp"
+#include "firmware/semihosting/semihost.hpp"
+#include "tests/target/count/count.hpp"
+
+namespace morepro::count {
+namespace {
+
+using namespace firmware;
+
+/// Filters settle and caches of the code's own fill before anything counts.
+constexpr std::uint32_t kWarmUpCalls = 500;
+constexpr std::uint32_t kCountedCalls = 2000;
+
+std::array<char, 1024> arguments{};
+
+/// Under -icount shift=0 the emulated timer, without its prescaler, ticks once per instruction.
+void start_counter() { Mmio::write(f405::tim2::kPsc, 0); }
+std::uint32_t instructions() { return Mmio::read(f405::tim2::kCnt); }
+
+std::uint32_t count_call(void (*body)()) {
+  const std::uint32_t start = instructions();
+  body();
+  return instructions() - start;
+}
+
+void do_nothing() {}
+
+struct Figures {
+  std::uint32_t total = 0;
+  std::uint32_t most = 0;
+};
+
+Figures count_calls(const Entry& entry, std::uint32_t overhead) {
+  Figures figures;
+  for (std::uint32_t call = 0; call < kWarmUpCalls + kCountedCalls; ++call) {
+    entry.prepare();
+    const std::uint32_t counted = count_call(entry.body) - overhead;
+    if (call < kWarmUpCalls) continue;
+    figures.total += counted;
+    if (counted > figures.most) figures.most = counted;
+  }
+  return figures;
+}
+
+void report(const Entry& entry, std::uint32_t overhead) {
+  const Figures figures = count_calls(entry, overhead);
+  semihost::print(entry.name);
+  semihost::print(" ");
+  semihost::print(figures.total / kCountedCalls / entry.per_call);
+  semihost::print(" ");
+  semihost::print(figures.most / entry.per_call);
+  semihost::print("\n");
+}
+
+}  // namespace
+
+const char* recording() { return arguments.data(); }
+
+}  // namespace morepro::count
+
+/// Prints `name mean most`: instructions per call of every entry. Argument: a recording. No interrupt is enabled.
+int main() {
+  using namespace morepro;
+  if (!firmware::semihost::command_line(count::arguments)) firmware::semihost::exit(2);
+  count::start_counter();
+  const std::uint32_t overhead = count::count_call(count::do_nothing);
+  for (const count::Entry* entry = count::Entry::first; entry != nullptr; entry = entry->next)
+    count::report(*entry, overhead);
+  firmware::semihost::exit(0);
+}

@@ -1,0 +1,120 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lib/estimation/feed_filter.hpp"
+#include "lib/estimation/ud_covariance.hpp"
+#include "lib/identification/retraction.hpp"
+
+namespace morepro {
+
+/// Order of the feed axis's parameters in its filter.
+enum class FeedParameter : std::uint8_t { kMass, kContactForce };
+inline constexpr std::size_t kFeedParameterCount = 2;
+
+/// Extended Kalman filter over [position, speed] of the feed axis and the logarithms of its mass and contact
+/// force. Works from a measured speed, a measured position or both. Process noise and UD form as in
+/// SpindleParameterFilter. Bounded time; may run in an interrupt.
+template <class Real>
+class FeedParameterFilter {
+ public:
+  using Values = std::array<Real, kFeedParameterCount>;
+
+  FeedParameterFilter(const MachineParameters& machine, Real period_s, Real start_fraction,
+                      Real drift_fraction)
+      : viscous_friction_(static_cast<Real>(machine.feed.viscous_friction_ns_m)),
+        contact_offset_(static_cast<Real>(machine.feed.contact_offset_n)),
+        period_s_(period_s),
+        start_variance_(start_fraction * start_fraction),
+        drift_variance_(drift_fraction * drift_fraction),
+        datasheet_{static_cast<Real>(machine.feed.mass_kg), static_cast<Real>(machine.feed.contact_force_n)} {
+    forget();
+  }
+
+  /// Back to the datasheet.
+  void forget() {
+    value_ = datasheet_;
+    covariance_ = Covariance({Real(1), Real(1), start_variance_, start_variance_});
+  }
+
+  /// Position and speed start from the measurement; what is known of the parameters stays.
+  void restart_state(const FeedMeasurement<Real>& y) {
+    x_ = y.has_position() ? y.position_m : Real(0);
+    v_ = y.has_speed() ? y.speed_m_s : Real(0);
+    covariance_.restart(0, y.has_position() ? y.position_variance : Real(1));
+    covariance_.restart(1, y.has_speed() ? y.speed_variance : Real(1));
+  }
+
+  /// Over the period that ended with the present frame; second order in the period, exact without friction.
+  void predict(const FeedInput<Real>& input, Real speed_variance) {
+    const auto [mass, contact_force] = value_;
+    const Real h = period_s_, per_mass = Real(1) / mass;
+    const Real pushed = input.contact * input.engagement * contact_force;
+    const Real force = input.force_n - viscous_friction_ * v_ - pushed - input.contact * contact_offset_;
+    const Real decay = viscous_friction_ * per_mass * h;
+    const Real per_acceleration = h * (Real(1) - Real(0.5) * decay);
+    const Real acceleration = force * per_mass;
+    const Real half = Real(0.5) * h;
+    const Real from_contact = -pushed * per_mass;
+    covariance_.predict(
+        {{{Real(1), h - half * decay}, {Real(0), Real(1) - decay + Real(0.5) * decay * decay}}},
+        {{{-acceleration * half * h, from_contact * half * h},
+          {-acceleration * per_acceleration, from_contact * per_acceleration}}},
+        {speed_variance * h * h, speed_variance});
+    drift();
+    x_ += h * (v_ + half * acceleration);
+    v_ += acceleration * per_acceleration;
+  }
+
+  /// Uses the measurements; returns the normalised innovation squared.
+  Real update(const FeedMeasurement<Real>& y) {
+    Real nis{};
+    if (y.has_speed()) nis += update_one(1, y.speed_m_s - v_, y.speed_variance);
+    if (y.has_position()) nis += update_one(0, y.position_m - x_, y.position_variance);
+    return nis;
+  }
+
+  [[nodiscard]] Real value(FeedParameter parameter) const { return value_[index_of(parameter)]; }
+  /// Relative variance of one parameter, and relative covariance of two.
+  [[nodiscard]] Real covariance(FeedParameter a, FeedParameter b) const {
+    return covariance_.covariance(index_of(a) + 2, index_of(b) + 2);
+  }
+  [[nodiscard]] Real start_variance() const { return start_variance_; }
+
+ private:
+  using Covariance = UdCovariance<Real, 2 + kFeedParameterCount>;
+
+  static constexpr std::size_t index_of(FeedParameter parameter) {
+    return static_cast<std::size_t>(parameter);
+  }
+
+  void drift() {
+    turn_ = turn_ + 1 < kFeedParameterCount ? turn_ + 1 : 0;
+    const Real q = drift_variance_ * static_cast<Real>(kFeedParameterCount);
+    if (covariance_.variance(2 + turn_) + q < Real(0.25) * start_variance_)
+      covariance_.add_variance(2 + turn_, q);
+  }
+
+  Real update_one(std::size_t element, Real innovation, Real variance) {
+    const auto update = covariance_.update(element, variance);
+    x_ += update.gain[0] * innovation;
+    v_ += update.gain[1] * innovation;
+    for (std::size_t j = 0; j < kFeedParameterCount; ++j)
+      value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
+    return innovation * innovation / update.innovation_variance;
+  }
+
+  Real viscous_friction_;
+  Real contact_offset_;
+  Real period_s_;
+  Real start_variance_;
+  Real drift_variance_;
+  Values datasheet_;
+  Values value_{};
+  Real x_{}, v_{};
+  std::size_t turn_ = 0;
+  Covariance covariance_{{}};
+};
+
+}  // namespace morepro

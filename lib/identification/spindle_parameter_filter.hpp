@@ -1,0 +1,175 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "lib/estimation/spindle_signals.hpp"
+#include "lib/estimation/ud_covariance.hpp"
+#include "lib/identification/retraction.hpp"
+#include "lib/math/matrix_exponential.hpp"
+#include "lib/plant/contact_law.hpp"
+
+namespace morepro {
+
+/// Order of the spindle's parameters in its filter.
+enum class SpindleParameter : std::uint8_t {
+  kTorqueConstant,
+  kInertia,
+  kInductance,
+  kResistance,
+  kBackEmfConstant
+};
+inline constexpr std::size_t kSpindleParameterCount = 5;
+
+/// Extended Kalman filter over [w, i] and the logarithms of five spindle parameters: identification from
+/// measured speed and current, without their derivatives. UD-factored, because recordings lose their
+/// excitation.
+///
+/// Safe-guards against false certainty: the second-order error of a change in one period is added to the
+/// process noise, and a machine that rests teaches nothing (see RestDetector): then the parameters are
+/// frozen. Bounded time; may run in an interrupt.
+template <class Real>
+class SpindleParameterFilter {
+ public:
+  using Values = std::array<Real, kSpindleParameterCount>;
+
+  /// `start_fraction`: standard deviation of the datasheet's values, relative, > 0. `drift_fraction`:
+  /// standard deviation per step of their random walk, relative, >= 0.
+  SpindleParameterFilter(const MachineParameters& machine, Real period_s, Real start_fraction,
+                         Real drift_fraction)
+      : law_(machine),
+        viscous_friction_(static_cast<Real>(machine.spindle.viscous_friction_nms_rad)),
+        period_s_(period_s),
+        start_variance_(start_fraction * start_fraction),
+        drift_variance_(drift_fraction * drift_fraction),
+        datasheet_{static_cast<Real>(machine.spindle.torque_constant_nm_a),
+                   static_cast<Real>(machine.spindle.inertia_kgm2),
+                   static_cast<Real>(machine.spindle.inductance_h),
+                   static_cast<Real>(machine.spindle.resistance_ohm),
+                   static_cast<Real>(machine.spindle.back_emf_constant_vs_rad)} {
+    forget();
+  }
+
+  /// Back to the datasheet.
+  void forget() {
+    value_ = datasheet_;
+    known_.fill(start_variance_);
+    covariance_ = Covariance({Real(1), Real(1), start_variance_, start_variance_, start_variance_,
+                              start_variance_, start_variance_});
+  }
+
+  /// Speed and current start from the measurement; what is known of the parameters stays.
+  void restart_state(const SpindleMeasurement<Real>& y) {
+    w_ = y.speed_rad_s;
+    i_ = y.current_a;
+    covariance_.restart(0, y.speed_variance);
+    covariance_.restart(1, y.current_variance);
+  }
+
+  /// Over the period that ended with the present frame, with the chip load that is being cut (not used in the
+  /// air).
+  void predict(const SpindleInput<Real>& input, Real chip_load_mm, Real speed_variance,
+               Real current_variance) {
+    const auto [kt, inertia, inductance, resistance, kv] = value_;
+    const Real per_inertia = Real(1) / inertia, per_inductance = Real(1) / inductance;
+    const auto contact =
+        input.contact > Real(0) ? law_(w_, chip_load_mm, input.tool_temperature_degc) : ContactTorque<Real>{};
+    const Real dw = (kt * i_ - viscous_friction_ * w_ - contact.torque_nm) * per_inertia;
+    const Real di = (input.armature_voltage_v - resistance * i_ - kv * w_) * per_inductance;
+    const Matrix a{-(viscous_friction_ + contact.per_speed) * per_inertia, kt * per_inertia,
+                   -kv * per_inductance, -resistance * per_inductance};
+    const Matrix phi = held_response(a);
+    const Matrix f = (a * phi).plus_identity();
+    const Values from_speed{kt * i_ * per_inertia, -dw, Real(0), Real(0), Real(0)};
+    const Values from_current{Real(0), Real(0), -di, -resistance * i_ * per_inductance,
+                              -kv * w_ * per_inductance};
+    std::array<Values, 2> g;
+    for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
+      g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
+      g[1][j] = phi.a10 * from_speed[j] + phi.a11 * from_current[j];
+    }
+    const Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
+    covariance_.predict(
+        {{{f.a00, f.a01}, {f.a10, f.a11}}}, g,
+        {Real(kProcessShare) * speed_variance + curvature(w_change, known_[0] + known_[1]),
+         Real(kProcessShare) * current_variance + curvature(i_change, known_[2] + known_[3] + known_[4])});
+    drift();
+    w_ += w_change;
+    i_ += i_change;
+  }
+
+  /// Uses the measurements; returns the normalised innovation squared.
+  Real update(const SpindleMeasurement<Real>& y) {
+    Real nis{};
+    if (y.has_speed()) nis += update_one(0, y.speed_rad_s - w_, y.speed_variance);
+    if (y.has_current()) nis += update_one(1, y.current_a - i_, y.current_variance);
+    return nis;
+  }
+
+  [[nodiscard]] Real value(SpindleParameter parameter) const { return value_[index_of(parameter)]; }
+  /// Relative variance of one parameter, and relative covariance of two.
+  [[nodiscard]] Real covariance(SpindleParameter a, SpindleParameter b) const {
+    return covariance_.covariance(index_of(a) + 2, index_of(b) + 2);
+  }
+  [[nodiscard]] Real start_variance() const { return start_variance_; }
+
+ private:
+  using Matrix = math::BasicMatrix2<Real>;
+  using Covariance = UdCovariance<Real, 2 + kSpindleParameterCount>;
+
+  /// Process noise of w and i per step, as a share of one measurement's variance.
+  static constexpr double kProcessShare = 0.01;
+
+  static constexpr std::size_t index_of(SpindleParameter parameter) {
+    return static_cast<std::size_t>(parameter);
+  }
+
+  /// Integral of exp(A s) over one period, by its series to the fourth term: 4e-4 of the change in one period
+  /// where the electrical time constant is two periods, less elsewhere. `Monitor` refuses slower sampling.
+  Matrix held_response(const Matrix& a) const {
+    const Matrix z = a * period_s_;
+    Matrix series = (z * Real(0.25)).plus_identity();
+    series = (z * series * Real(1.0 / 3.0)).plus_identity();
+    series = (z * series * Real(0.5)).plus_identity();
+    return series * period_s_;
+  }
+
+  /// Second-order term of the change in one period, which the linearised covariance does not see: a product
+  /// or quotient of parameters with relative variance s is wrong by about s; the factor of 16 makes starts
+  /// wrong by a factor of two safe. Without it the first transient makes the filter certain of wrong values.
+  static Real curvature(Real change, Real relative_variance) {
+    const Real error = Real(16) * change * relative_variance;
+    return error * error;
+  }
+
+  /// One parameter per frame in turn, with the variance of all the frames between: a rank-one update costs as
+  /// much as a measurement. Nothing is added to a parameter of which nothing is known.
+  void drift() {
+    turn_ = turn_ + 1 < kSpindleParameterCount ? turn_ + 1 : 0;
+    const Real q = drift_variance_ * static_cast<Real>(kSpindleParameterCount);
+    known_[turn_] = covariance_.variance(2 + turn_);
+    if (known_[turn_] + q < Real(0.25) * start_variance_) covariance_.add_variance(2 + turn_, q);
+  }
+
+  Real update_one(std::size_t element, Real innovation, Real variance) {
+    const auto update = covariance_.update(element, variance);
+    w_ += update.gain[0] * innovation;
+    i_ += update.gain[1] * innovation;
+    for (std::size_t j = 0; j < kSpindleParameterCount; ++j)
+      value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
+    return innovation * innovation / update.innovation_variance;
+  }
+
+  ContactLaw<Real> law_;
+  Real viscous_friction_;
+  Real period_s_;
+  Real start_variance_;
+  Real drift_variance_;
+  Values datasheet_;
+  Values value_{};
+  Real w_{}, i_{};
+  Values known_{};  ///< relative variance of each parameter, one refreshed per frame
+  std::size_t turn_ = 0;
+  Covariance covariance_{{}};
+};
+
+}  // namespace morepro

@@ -1,0 +1,113 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lib/monitor/configuration_error.hpp"
+#include "lib/monitor/monitor_configuration.hpp"
+#include "lib/plant/contact_law.hpp"
+
+namespace morepro {
+namespace detail {
+
+struct CheckedValue {
+  double value;
+  std::string_view key;
+};
+
+inline bool is_finite(double x) { return x - x == 0.0; }
+
+template <std::size_t kSize>
+ConfigurationResult check_all(const std::array<CheckedValue, kSize>& values, bool zero_allowed) {
+  for (const auto& [value, key] : values) {
+    if (!is_finite(value)) return {ConfigurationError::kNotFinite, key};
+    if (zero_allowed && !(value >= 0.0)) return {ConfigurationError::kNegative, key};
+    if (!zero_allowed && !(value > 0.0)) return {ConfigurationError::kNotPositive, key};
+  }
+  return {};
+}
+
+inline ConfigurationResult check_positive(const MonitorConfiguration& c) {
+  const auto& [spindle, feed, tool, contact, thermal] = c.machine;
+  return check_all(std::to_array<CheckedValue>({
+                       {spindle.torque_constant_nm_a, "spindle.torque_constant_nm_a"},
+                       {spindle.back_emf_constant_vs_rad, "spindle.back_emf_constant_vs_rad"},
+                       {spindle.resistance_ohm, "spindle.resistance_ohm"},
+                       {spindle.inductance_h, "spindle.inductance_h"},
+                       {spindle.inertia_kgm2, "spindle.inertia_kgm2"},
+                       {feed.mass_kg, "feed.mass_kg"},
+                       {tool.diameter_mm, "tool.diameter_mm"},
+                       {tool.teeth, "tool.teeth"},
+                       {tool.chip_load_mm, "tool.chip_load_mm"},
+                       {contact.speed_scale_rad_s, "contact.speed_scale_rad_s"},
+                       {thermal.exponent, "thermal.exponent"},
+                       {c.tuning.speed_process_noise_rad_s, "tuning.speed_process_noise_rad_s"},
+                       {c.tuning.current_process_noise_a, "tuning.current_process_noise_a"},
+                       {c.tuning.feed_process_noise_m_s, "tuning.feed_process_noise_m_s"},
+                       {c.tuning.parameter_start_fraction, "tuning.parameter_start_fraction"},
+                       {c.grid.first_mm, "grid.first_mm"},
+                       {c.grid.step_mm, "grid.step_mm"},
+                       {c.wear.low_ratio, "wear.low_ratio"},
+                   }),
+                   false);
+}
+
+inline ConfigurationResult check_not_negative(const MonitorConfiguration& c) {
+  const auto& [spindle, feed, tool, contact, thermal] = c.machine;
+  return check_all(std::to_array<CheckedValue>({
+                       {spindle.viscous_friction_nms_rad, "spindle.viscous_friction_nms_rad"},
+                       {feed.contact_force_n, "feed.contact_force_n"},
+                       {feed.contact_offset_n, "feed.contact_offset_n"},
+                       {feed.engagement, "feed.engagement"},
+                       {feed.viscous_friction_ns_m, "feed.viscous_friction_ns_m"},
+                       {feed.screw_pitch_m, "feed.screw_pitch_m"},
+                       {contact.viscous_gain_nms, "contact.viscous_gain_nms"},
+                       {contact.edge_force_n, "contact.edge_force_n"},
+                       {contact.chip_force_n_mm, "contact.chip_force_n_mm"},
+                       {contact.radius_m, "contact.radius_m"},
+                       {c.tuning.chip_load_drift_mm, "tuning.chip_load_drift_mm"},
+                       {c.wear.hold_s, "wear.hold_s"},
+                       {c.wear.watch_ratio - 1.0, "wear.watch_ratio"},
+                       {c.wear.replace_ratio - c.wear.watch_ratio, "wear.replace_ratio"},
+                       {1.0 - c.wear.low_ratio, "wear.low_ratio"},
+                   }),
+                   true);
+}
+
+inline ConfigurationResult check_sensors(const Sensors& sensors) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
+    const std::array<CheckedValue, 2> values{{{sensors.by_channel[i].noise, kChannels[i].column},
+                                              {sensors.by_channel[i].lsb, kChannels[i].column}}};
+    if (const auto result = check_all(values, true); !result.ok()) return result;
+  }
+  return {};
+}
+
+inline ConfigurationResult check_ranges(const MonitorConfiguration& c, std::size_t capacity) {
+  using enum ConfigurationError;
+  const auto& thermal = c.machine.thermal;
+  if (!is_finite(thermal.tool_degc)) return {kNotFinite, "thermal.tool_degc"};
+  if (!(thermal.melting_degc > thermal.reference_degc)) return {kThermalRange, "thermal.melting_degc"};
+  if (!(c.sampling.rate_hz >= 100.0 && c.sampling.rate_hz <= 20000.0))
+    return {kSamplingRate, "sampling.rate_hz"};
+  if (!(c.tuning.switch_probability > 0.0 && c.tuning.switch_probability < 1.0))
+    return {kNotAProbability, "tuning.switch_probability"};
+  if (c.grid.count < 1 || c.grid.count > capacity) return {kHypothesisCount, "grid.count"};
+  if (!is_inside_contact_range(c.machine, c.grid.first_mm)) return {kHypothesisOutsideLaw, "grid.first_mm"};
+  if (!is_inside_contact_range(c.machine, c.grid.value_mm(c.grid.count - 1)))
+    return {kHypothesisOutsideLaw, "grid.step_mm"};
+  return {};
+}
+
+}  // namespace detail
+
+/// Is every value of a configuration possible? `capacity`: hypotheses that the bank can hold. Returns the
+/// first refusal with its key.
+inline ConfigurationResult check(const MonitorConfiguration& configuration, std::size_t capacity) {
+  if (const auto result = detail::check_positive(configuration); !result.ok()) return result;
+  if (const auto result = detail::check_not_negative(configuration); !result.ok()) return result;
+  if (const auto result = detail::check_sensors(configuration.sensors); !result.ok()) return result;
+  return detail::check_ranges(configuration, capacity);
+}
+
+}  // namespace morepro

@@ -1,0 +1,174 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lib/identification/excitation.hpp"
+#include "lib/identification/feed_parameter_filter.hpp"
+#include "lib/identification/spindle_parameter_filter.hpp"
+#include "lib/math/elementary.hpp"
+#include "lib/monitor/health.hpp"
+#include "lib/monitor/held_inputs.hpp"
+#include "lib/monitor/monitor_configuration.hpp"
+#include "lib/monitor/running_ratio.hpp"
+
+namespace morepro {
+
+/// The identification of the seven parameters: decides per frame which filter may learn, and reports each
+/// estimate with its standard error and whether it may be used.
+class ParameterTracker {
+ public:
+  explicit ParameterTracker(const MonitorConfiguration& c)
+      : samples_inductance_(c.machine.spindle.inductance_h * c.sampling.rate_hz >=
+                            c.machine.spindle.resistance_ohm),
+        spindle_(c.machine, period_of(c), start_of(c), kDrift),
+        feed_(c.machine, period_of(c), start_of(c), kDrift) {
+    for (std::size_t j = 0; j < kParameterCount; ++j) report(static_cast<Parameter>(j));
+  }
+
+  /// The state starts from the measurements; what is known of the parameters stays.
+  void restart() { is_spindle_running_ = is_feed_running_ = false; }
+
+  /// One frame of the spindle. `chip_load_is_known`: what is cut is what was commanded, so that the contact
+  /// torque is known; in the air it is known anyway.
+  void step_spindle(const HeldInputs& held, const SpindleMeasurement<float>& y, bool chip_load_is_known) {
+    const bool is_complete = held.knows(Channel::kArmatureVoltage) && y.has_speed() && y.has_current();
+    if (is_complete) spindle_seen_ = true;
+    const bool may_run =
+        is_complete && samples_inductance_ && (chip_load_is_known || !held.is_in_contact()) && moves(y);
+    if (may_run && is_spindle_running_) {
+      spindle_.predict(held.spindle(), held.get(Channel::kChipLoad), y.speed_variance, y.current_variance);
+      spindle_ratio_.step(spindle_.update(y), 2);
+    } else if (may_run) {
+      spindle_.restart_state(y);
+    }
+    is_spindle_running_ = may_run;
+  }
+
+  /// One frame of the feed axis; `speed_m_s` is the feed filter's estimate.
+  void step_feed(const HeldInputs& held, const FeedMeasurement<float>& y, float speed_m_s,
+                 float speed_deviation_m_s) {
+    const bool is_complete = held.knows(Channel::kFeedForce) && (y.has_speed() || y.has_position());
+    if (is_complete) feed_seen_ = true;
+    feed_rest_.step(speed_m_s, speed_deviation_m_s);
+    force_rest_.step(held.get(Channel::kFeedForce), kForceBand);
+    const bool may_run = is_complete && !(feed_rest_.is_at_rest() && force_rest_.is_at_rest());
+    if (may_run && is_feed_running_) {
+      const float variance = y.has_speed() ? y.speed_variance : speed_deviation_m_s * speed_deviation_m_s;
+      feed_.predict(held.feed(), kFeedProcessShare * variance);
+      feed_ratio_.step(feed_.update(y), (y.has_speed() ? 1U : 0U) + (y.has_position() ? 1U : 0U));
+    } else if (may_run) {
+      feed_.restart_state(y);
+    }
+    is_feed_running_ = may_run;
+  }
+
+  /// Refreshes one parameter per frame in turn: an estimate's variance costs a row of the factorisation.
+  void refresh() {
+    turn_ = turn_ + 1 < kParameterCount ? turn_ + 1 : 0;
+    report(static_cast<Parameter>(turn_));
+  }
+
+  [[nodiscard]] const std::array<ParameterEstimate, kParameterCount>& estimates() const { return estimates_; }
+
+ private:
+  static constexpr float kDrift = 2.0e-5F;  // relative, per step: 0.2 % per second at 10 kHz
+  static constexpr float kFeedProcessShare = 0.01F;
+  static constexpr float kForceBand = 0.05F;    // N
+  static constexpr float kUsableError = 0.05F;  // a relative standard error above says nothing to an engineer
+  static constexpr float kLearnt = 1.0F / 9.0F;  // variance against the datasheet's: a third of its deviation
+  static constexpr float kCorrelated = 0.9F;
+  static constexpr float kMismatch = 3.0F;  // normalised innovation squared of a model that does not fit
+
+  static float period_of(const MonitorConfiguration& c) {
+    return static_cast<float>(1.0 / c.sampling.rate_hz);
+  }
+  static float start_of(const MonitorConfiguration& c) {
+    return static_cast<float>(c.tuning.parameter_start_fraction);
+  }
+
+  bool moves(const SpindleMeasurement<float>& y) {
+    speed_rest_.step(y.speed_rad_s, math::sqrt(y.speed_variance));
+    current_rest_.step(y.current_a, math::sqrt(y.current_variance));
+    return !(speed_rest_.is_at_rest() && current_rest_.is_at_rest());
+  }
+
+  void report(Parameter parameter) {
+    auto& estimate = estimates_[index_of(parameter)];
+    switch (parameter) {
+      case Parameter::kTorqueConstant:
+        return report_spindle(SpindleParameter::kTorqueConstant, estimate);
+      case Parameter::kInertia:
+        return report_spindle(SpindleParameter::kInertia, estimate);
+      case Parameter::kInductance:
+        return report_spindle(SpindleParameter::kInductance, estimate);
+      case Parameter::kResistance:
+        return report_spindle(SpindleParameter::kResistance, estimate);
+      case Parameter::kBackEmfConstant:
+        return report_spindle(SpindleParameter::kBackEmfConstant, estimate);
+      case Parameter::kMass:
+        return report_feed(FeedParameter::kMass, estimate);
+      case Parameter::kContactForce:
+        return report_feed(FeedParameter::kContactForce, estimate);
+    }
+  }
+
+  void report_spindle(SpindleParameter parameter, ParameterEstimate& estimate) const {
+    float correlation = 0.0F;
+    for (std::size_t k = 0; k < kSpindleParameterCount; ++k)
+      correlation =
+          larger(correlation, correlation_squared(spindle_, parameter, static_cast<SpindleParameter>(k)));
+    write(spindle_, parameter, correlation, estimate);
+    estimate.status = !spindle_seen_                 ? ParameterStatus::kNoSignal
+                      : !samples_inductance_         ? ParameterStatus::kSamplingTooSlow
+                      : does_not_fit(spindle_ratio_) ? ParameterStatus::kModelMismatch
+                                                     : estimate.status;
+  }
+
+  void report_feed(FeedParameter parameter, ParameterEstimate& estimate) const {
+    const auto other =
+        parameter == FeedParameter::kMass ? FeedParameter::kContactForce : FeedParameter::kMass;
+    write(feed_, parameter, correlation_squared(feed_, parameter, other), estimate);
+    estimate.status = !feed_seen_                 ? ParameterStatus::kNoSignal
+                      : does_not_fit(feed_ratio_) ? ParameterStatus::kModelMismatch
+                                                  : estimate.status;
+  }
+
+  static float larger(float a, float b) { return a > b ? a : b; }
+  static bool does_not_fit(const RunningRatio& ratio) {
+    return ratio.is_settled() && ratio.value() > kMismatch;
+  }
+
+  template <class Filter, class Name>
+  static float correlation_squared(const Filter& filter, Name a, Name b) {
+    if (a == b) return 0.0F;
+    const float joint = filter.covariance(a, b);
+    const float product = filter.covariance(a, a) * filter.covariance(b, b);
+    return product > 0.0F ? joint * joint / product : 0.0F;
+  }
+
+  template <class Filter, class Name>
+  static void write(const Filter& filter, Name parameter, float correlation_squared,
+                    ParameterEstimate& estimate) {
+    const float variance = filter.covariance(parameter, parameter);
+    estimate.value = filter.value(parameter);
+    estimate.standard_error = estimate.value * math::sqrt(variance);
+    const bool is_learnt =
+        variance <= kUsableError * kUsableError && variance <= kLearnt * filter.start_variance();
+    estimate.status = is_learnt                                         ? ParameterStatus::kIdentifiable
+                      : correlation_squared > kCorrelated * kCorrelated ? ParameterStatus::kCorrelated
+                                                                        : ParameterStatus::kNoExcitation;
+  }
+
+  bool samples_inductance_;
+  SpindleParameterFilter<float> spindle_;
+  FeedParameterFilter<float> feed_;
+  RestDetector<float> speed_rest_, current_rest_, feed_rest_, force_rest_;
+  RunningRatio spindle_ratio_, feed_ratio_;
+  bool is_spindle_running_ = false, is_feed_running_ = false;
+  bool spindle_seen_ = false, feed_seen_ = false;
+  std::size_t turn_ = 0;
+  std::array<ParameterEstimate, kParameterCount> estimates_{};
+};
+
+}  // namespace morepro

@@ -1,0 +1,23 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace morepro::host {
+
+/// Each adds one subcommand with its options to the program; the job runs when the command line is parsed and
+/// throws UserError (status 1) or UsageError (status 2).
+void add_simulate(CLI::App& program);
+void add_replay(CLI::App& program);
+void add_convert(CLI::App& program);
+void add_config(CLI::App& program);
+
+/// A number in [lowest, highest]; NaN is refused as well.
+CLI::Validator between(double lowest, double highest, const std::string& unit);
+
+/// --progress auto|off
+void add_progress_option(CLI::App& command, std::string& mode);
+
+/// A sentence on stderr that does not end the job.
+void warn(std::string_view sentence);
+
+}  // namespace morepro::host

@@ -1,0 +1,37 @@
+#include <memory>
+#include <string>
+
+#include "sim_host/cli/command.hpp"
+#include "sim_host/machine/machine_description.hpp"
+#include "sim_host/machine/machine_file_writer.hpp"
+#include "sim_host/support/output_file.hpp"
+
+namespace morepro::host {
+namespace {
+
+struct ConfigArguments {
+  std::string machine = "reference";
+  std::string out = "-";
+};
+
+void run(const ConfigArguments& arguments) {
+  const MachineDescription machine = load_machine(arguments.machine);
+  OutputFile file(arguments.out);
+  file.write(machine_file_text(machine));
+  file.write(estimator_comments(machine.configuration));
+  file.commit();
+}
+
+}  // namespace
+
+void add_config(CLI::App& program) {
+  auto arguments = std::make_shared<ConfigArguments>();
+  CLI::App* command = program.add_subcommand(
+      "config", "print every setting of a machine as TOML, a machine file to start from");
+  command->add_option("--machine", arguments->machine, "'reference', 'thesis' or a machine file")
+      ->capture_default_str();
+  command->add_option("--out", arguments->out, "file to write; '-': standard output")->capture_default_str();
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim_host/cli/command.hpp"
+#include "sim_host/recording/recording_format.hpp"
+#include "sim_host/recording/recording_writer.hpp"
+#include "sim_host/replay/replay_session.hpp"
+#include "sim_host/support/progress.hpp"
+
+namespace morepro::host {
+namespace {
+
+struct ConvertArguments {
+  std::string in;
+  std::string out;
+  std::string machine;
+  bool accept_damaged = false;
+  std::string progress = "auto";
+};
+
+/// Frames that the format of the output could not hold.
+std::uint64_t copy(RecordingReader& in, RecordingWriter& out, Progress& progress) {
+  std::uint64_t left_out = 0;
+  SensorFrame frame;
+  for (auto status = in.next(frame); status != hal::ReadStatus::kEnd; status = in.next(frame)) {
+    if (status == hal::ReadStatus::kFrame && !out.write(frame)) ++left_out;
+    progress.advance();
+  }
+  return left_out;
+}
+
+void run(const ConvertArguments& arguments) {
+  RecordingReader in(arguments.in);
+  std::vector<std::string> notices;
+  const MachineDescription machine = machine_for(in, arguments.machine, notices);
+  // CSV holds no machine: what was assumed about it does not matter there.
+  if (format_of(arguments.out) == RecordingFormat::kCsv) notices.clear();
+  const bool is_damaged = !in.damage().empty();
+  if (!is_damaged) notices.insert(notices.begin(), in.info().warnings.begin(), in.info().warnings.end());
+  for (const std::string& notice : notices) warn(notice);
+  if (is_damaged && !arguments.accept_damaged) {
+    throw UserError(fmt::format("{}; --accept-damaged converts what is left", in.damage()));
+  }
+
+  OutputFile file(arguments.out);
+  RecordingWriter out(file, in.info().metadata, in.info().recorded, machine.configuration);
+  Progress progress("convert", in.frame_count(), arguments.progress == "auto");
+  const std::uint64_t left_out = copy(in, out, progress);
+  out.finish();
+  file.commit();
+  if (left_out > 0) warn(fmt::format("{}: {} repeated or old frames were left out", arguments.out, left_out));
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program) {
+  auto arguments = std::make_shared<ConvertArguments>();
+  CLI::App* command =
+      program.add_subcommand("convert", "convert a recording between formats, by file ending");
+  command->add_option("in", arguments->in, "recording, .csv or .mrec")->required();
+  command->add_option("out", arguments->out, "recording to write, .csv or .mrec; '-': CSV on standard output")
+      ->required();
+  command->add_option("--machine", arguments->machine, "machine that a native recording shall hold");
+  command->add_flag("--accept-damaged", arguments->accept_damaged,
+                    "convert what is left of a damaged recording");
+  add_progress_option(*command, arguments->progress);
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace morepro::host

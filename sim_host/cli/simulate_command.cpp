@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "sim_host/cli/command.hpp"
+#include "sim_host/machine/estimator_choice.hpp"
+#include "sim_host/machine/machine_description.hpp"
+#include "sim_host/machine/machine_file_writer.hpp"
+#include "sim_host/recording/recording_writer.hpp"
+#include "sim_host/simulate/datasheet.hpp"
+#include "sim_host/simulate/simulation.hpp"
+#include "sim_host/support/progress.hpp"
+
+namespace morepro::host {
+namespace {
+
+struct SimulateArguments {
+  std::string machine = "reference";
+  std::string profile = "cutting";
+  double duration_s = 5.0;
+  double rate_hz = 0.0;
+  double datasheet_error = 0.0;
+  std::string machine_out;
+  std::uint64_t seed = 1;
+  std::string out;
+  std::string progress = "auto";
+};
+
+SimulationOptions options_of(const SimulateArguments& arguments, double default_rate_hz) {
+  const auto profile = std::find(kProfileNames.begin(), kProfileNames.end(), arguments.profile);
+  return {.profile = static_cast<ProfileKind>(profile - kProfileNames.begin()),
+          .duration_s = arguments.duration_s,
+          .rate_hz = arguments.rate_hz > 0.0 ? arguments.rate_hz : default_rate_hz,
+          .seed = arguments.seed};
+}
+
+Metadata metadata_of(const SimulateArguments& arguments, const MachineDescription& machine, double rate_hz) {
+  return {{"machine", machine.name},
+          {"source", "simulated"},
+          {"profile", arguments.profile},
+          {"seed", std::to_string(arguments.seed)},
+          {"rate_hz", fmt::format("{}", rate_hz)}};
+}
+
+void check_described(const MachineDescription& machine) {
+  if (machine.has_spindle && machine.has_feed && machine.has_contact) return;
+  throw UserError(
+      fmt::format("machine '{}' cannot be simulated: its file must describe [spindle], [feed], [tool] and "
+                  "[contact]",
+                  machine.name));
+}
+
+void write_machine(const SimulateArguments& arguments, MachineDescription machine, OutputFile& file) {
+  machine.configuration.machine =
+      datasheet_of(machine.configuration.machine, arguments.datasheet_error, arguments.seed);
+  file.write(machine_file_text(machine));
+}
+
+void run(const SimulateArguments& arguments) {
+  MachineDescription machine = load_machine(arguments.machine);
+  check_described(machine);
+  const SimulationOptions options = options_of(arguments, machine.configuration.sampling.rate_hz);
+  set_rate(machine.configuration, options.rate_hz);
+  Simulation simulation(machine.configuration, options);
+  if (simulation.frame_count() < 2)
+    throw UsageError("--duration times --rate gives fewer than two frames; raise one");
+
+  OutputFile recording(arguments.out);
+  std::unique_ptr<OutputFile> datasheet;
+  if (!arguments.machine_out.empty()) datasheet = std::make_unique<OutputFile>(arguments.machine_out);
+  RecordingWriter writer(recording, metadata_of(arguments, machine, options.rate_hz), simulation.recorded(),
+                         machine.configuration);
+  Progress progress("simulate", simulation.frame_count(), arguments.progress == "auto");
+  for (SensorFrame frame; simulation.next(frame); progress.advance()) writer.write(frame);
+  writer.finish();
+  if (datasheet) write_machine(arguments, machine, *datasheet);
+  if (datasheet) datasheet->commit();
+  recording.commit();
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program) {
+  auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* command = program.add_subcommand("simulate", "run a simulated machine and write a recording");
+  command->add_option("--machine", arguments->machine, "'reference', 'thesis' or a machine file")
+      ->capture_default_str();
+  command->add_option("--profile", arguments->profile, "what the machine does")
+      ->check(CLI::IsMember({"rich", "commissioning", "production", "cutting"}))
+      ->capture_default_str();
+  command->add_option("--duration", arguments->duration_s, "length of the recording in s")
+      ->check(between(0.001, 86400.0, "s"))
+      ->capture_default_str();
+  command->add_option("--rate", arguments->rate_hz, "samples per second; the machine's own by default")
+      ->check(between(100.0, 20000.0, "Hz"));
+  command
+      ->add_option("--datasheet-error", arguments->datasheet_error,
+                   "fraction by which --machine-out is wrong in every parameter")
+      ->check(between(0.0, 0.9, ""))
+      ->capture_default_str();
+  command->add_option("--machine-out", arguments->machine_out, "write the machine's datasheet (TOML)");
+  command->add_option("--seed", arguments->seed, "of noise and dither")->capture_default_str();
+  command
+      ->add_option("--out", arguments->out, "recording to write, .csv or .mrec; '-': CSV on standard output")
+      ->required();
+  add_progress_option(*command, arguments->progress);
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,81 @@
+#include "sim_host/machine/machine_file_writer.hpp"
+
+#include <fmt/format.h>
+
+#include "sim_host/machine/machine_key.hpp"
+
+namespace morepro::host {
+namespace {
+
+bool is_described(const MachineDescription& machine, std::string_view table) {
+  if (table == "spindle") return machine.has_spindle;
+  if (table == "feed") return machine.has_feed;
+  if (table == "thermal") return machine.has_thermal;
+  return machine.has_contact;
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string parameter_tables(const MachineDescription& machine) {
+  MachineParameters parameters = machine.configuration.machine;
+  std::string text;
+  std::string_view table;
+  for (const MachineKey& key : machine_keys()) {
+    if (!is_described(machine, key.table)) continue;
+    if (key.table != table) text += fmt::format("\n[{}]\n", key.table);
+    if (key.table == "contact" && table != "contact") {
+      text += fmt::format("form = \"{}\"\n",
+                          parameters.contact.form == ContactForm::kThesis ? "thesis" : "consistent");
+    }
+    table = key.table;
+    text += fmt::format("{} = {}\n", key.key, key.of(parameters));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string machine_file_text(const MachineDescription& machine) {
+  std::string text = fmt::format("[machine]\nname = {}\n", quoted(machine.name));
+  text += parameter_tables(machine);
+  text += fmt::format("\n[sampling]\nrate_hz = {}\n", machine.configuration.sampling.rate_hz);
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
+    const SensorNoise& sensor = machine.configuration.sensors[static_cast<Channel>(i)];
+    if (!(sensor.variance() > 0.0)) continue;
+    text +=
+        fmt::format("\n[sensors.{}]\nnoise = {}\nlsb = {}\n", kChannels[i].column, sensor.noise, sensor.lsb);
+  }
+  return text;
+}
+
+std::string estimator_comments(const MonitorConfiguration& configuration) {
+  const HypothesisGrid& grid = configuration.grid;
+  const FilterTuning& tuning = configuration.tuning;
+  std::string text = "\n# Chosen from the above:\n";
+  const auto add = [&text](std::string_view name, auto value) {
+    text += fmt::format("# {} = {}\n", name, value);
+  };
+  add("hypotheses", grid.count);
+  add("first_hypothesis_mm", grid.first_mm);
+  add("hypothesis_step_mm", grid.step_mm);
+  add("speed_process_noise_rad_s", tuning.speed_process_noise_rad_s);
+  add("current_process_noise_a", tuning.current_process_noise_a);
+  add("feed_process_noise_m_s", tuning.feed_process_noise_m_s);
+  add("chip_load_drift_mm", tuning.chip_load_drift_mm);
+  add("switch_probability", tuning.switch_probability);
+  add("parameter_start_fraction", tuning.parameter_start_fraction);
+  add("wear_watch_ratio", configuration.wear.watch_ratio);
+  add("wear_replace_ratio", configuration.wear.replace_ratio);
+  add("wear_low_ratio", configuration.wear.low_ratio);
+  add("wear_hold_s", configuration.wear.hold_s);
+  return text;
+}
+
+}  // namespace morepro::host

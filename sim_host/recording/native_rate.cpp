@@ -1,0 +1,30 @@
+#include "sim_host/recording/native_rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morepro::host {
+
+void NativeRate::add(const SensorFrame& frame) {
+  const auto frames = static_cast<std::int32_t>(frame.sequence - previous_.sequence);
+  const auto step_us = static_cast<std::int32_t>(frame.time_us - previous_.time_us);
+  if (has_previous_ && frames > 0 && step_us > 0 && steps_us_.size() < kSteps)
+    steps_us_.push_back(static_cast<double>(step_us) / frames);
+  previous_ = frame;
+  has_previous_ = true;
+}
+
+double NativeRate::rate_hz() const {
+  if (steps_us_.empty()) return 0.0;
+  auto sorted = steps_us_;
+  std::sort(sorted.begin(), sorted.end());
+  const double median_us = sorted[sorted.size() / 2];
+  // Time is in whole microseconds: the mean of the regular steps resolves 333.3 us, the median does not.
+  const auto first = std::lower_bound(sorted.begin(), sorted.end(), 0.5 * median_us);
+  const auto last = std::upper_bound(sorted.begin(), sorted.end(), 1.5 * median_us);
+  double sum_us = 0.0;
+  for (auto step = first; step != last; ++step) sum_us += *step;
+  return 1.0e6 * static_cast<double>(last - first) / sum_us;
+}
+
+}  // namespace morepro::host

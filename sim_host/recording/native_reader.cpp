@@ -1,0 +1,39 @@
+#include "sim_host/recording/native_reader.hpp"
+
+#include <variant>
+
+namespace morepro::host {
+
+NativeReader::NativeReader(const std::string& path)
+    : file_(path),
+      rest_(reinterpret_cast<const std::uint8_t*>(file_.text().data()), file_.text().size()),
+      scan_(scan_native(path, rest_)) {}
+
+bool NativeReader::next(SensorFrame& frame) {
+  while (!rest_.empty()) {
+    if (decoder_.next(rest_) != wire::DecodeEvent::kRecord) continue;
+    if (const auto* read = std::get_if<SensorFrame>(&decoder_.record())) {
+      frame = *read;
+      count(frame);
+      return true;
+    }
+  }
+  return false;
+}
+
+void NativeReader::count(const SensorFrame& frame) {
+  const auto frames = static_cast<std::int32_t>(frame.sequence - previous_sequence_);
+  const auto step_us = static_cast<std::int32_t>(frame.time_us - previous_time_us_);
+  if (tally_.rows++ > 0) {
+    if (frames > 1) {
+      tally_.missing_rows += static_cast<std::uint64_t>(frames) - 1;
+      if (tally_.gaps++ == 0) tally_.first_gap_s = tally_.duration_s;
+    }
+    if (step_us > 0) elapsed_us_ += static_cast<std::uint64_t>(step_us);
+    tally_.duration_s = 1.0e-6 * static_cast<double>(elapsed_us_);
+  }
+  previous_sequence_ = frame.sequence;
+  previous_time_us_ = frame.time_us;
+}
+
+}  // namespace morepro::host

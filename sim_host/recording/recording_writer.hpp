@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <variant>
+
+#include "lib/frame/sensor_frame.hpp"
+#include "lib/monitor/monitor_configuration.hpp"
+#include "sim_host/recording/csv_writer.hpp"
+#include "sim_host/recording/native_writer.hpp"
+#include "sim_host/recording/recording_info.hpp"
+#include "sim_host/support/output_file.hpp"
+
+namespace morepro::host {
+
+/// Writes a recording in the format that the file's ending names. The file is the caller's to commit.
+class RecordingWriter {
+ public:
+  /// `recorded`: bit_of(channel) of what the frames hold. A native recording begins with the configuration.
+  RecordingWriter(OutputFile& file, const Metadata& metadata, std::uint16_t recorded,
+                  const MonitorConfiguration& configuration);
+
+  /// Returns false, and writes nothing, where the format cannot hold the frame: CSV holds no repeated and no
+  /// old one.
+  bool write(const SensorFrame& frame);
+  /// Closes the recording; without it a native one counts as cut.
+  void finish();
+
+ private:
+  std::variant<CsvWriter, NativeWriter> writer_;
+};
+
+}  // namespace morepro::host

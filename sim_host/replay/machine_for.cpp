@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim_host/machine/estimator_choice.hpp"
+#include "sim_host/replay/replay_session.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kRateTolerance = 1.0e-3;
+
+MachineDescription choose(const RecordingReader& recording, const std::string& asked_for,
+                          std::vector<std::string>& notices) {
+  if (!asked_for.empty()) return load_machine(asked_for);
+  const std::string_view name = recording.info().metadata_value("machine");
+  if (const auto configuration = recording.configuration()) {
+    MachineDescription machine;
+    machine.name = name.empty() ? "of the recording" : std::string(name);
+    machine.configuration = *configuration;
+    return machine;
+  }
+  if (is_built_in_name(name)) return built_in_machine(name);
+  notices.push_back(
+      fmt::format("{}: no --machine was given and the recording names none that is built in; the "
+                  "'reference' machine is assumed",
+                  recording.info().file));
+  return built_in_machine("reference");
+}
+
+void take_rate(MachineDescription& machine, const RecordingInfo& info, std::vector<std::string>& notices) {
+  const double described_hz = machine.configuration.sampling.rate_hz;
+  if (std::fabs(info.rate_hz / described_hz - 1.0) <= kRateTolerance) return;
+  if (!machine.is_built_in && machine.has_rate) {
+    notices.push_back(
+        fmt::format("{}: sampled at {} Hz, the machine file says {} Hz; the recording's rate is used",
+                    info.file, info.rate_hz, described_hz));
+  }
+  set_rate(machine.configuration, info.rate_hz);
+}
+
+void note_assumed_noise(const MachineDescription& machine, const RecordingInfo& info,
+                        std::vector<std::string>& notices) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
+    if (!(info.recorded & machine.assumed_noise & bit_of(static_cast<Channel>(i)))) continue;
+    notices.push_back(fmt::format("machine '{0}' has no [sensors.{1}]; a noise of {2} is assumed",
+                                  machine.name, kChannels[i].column,
+                                  machine.configuration.sensors[static_cast<Channel>(i)].noise));
+  }
+}
+
+}  // namespace
+
+MachineDescription machine_for(const RecordingReader& recording, const std::string& name_or_path,
+                               std::vector<std::string>& notices) {
+  MachineDescription machine = choose(recording, name_or_path, notices);
+  // A native recording is replayed with exactly the configuration that it was made with: the same bits.
+  const bool is_recorded_machine = name_or_path.empty() && recording.configuration().has_value();
+  if (!is_recorded_machine) take_rate(machine, recording.info(), notices);
+  note_assumed_noise(machine, recording.info(), notices);
+  return machine;
+}
+
+}  // namespace morepro::host

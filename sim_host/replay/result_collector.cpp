@@ -1,0 +1,90 @@
+#include "sim_host/replay/result_collector.hpp"
+
+#include <string>
+
+#include "lib/monitor/reason.hpp"
+#include "sim_host/replay/names.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr std::size_t kMostEntries = 1000;
+
+bool is_only_the_end_of_the_cut(const Health& health) {
+  const auto reason = static_cast<ReasonCode>(health.reason);
+  return health.state == HealthState::kNotEnoughData &&
+         (reason == ReasonCode::kWearNoContact || reason == ReasonCode::kWearSettling);
+}
+
+}  // namespace
+
+const Health& verdict_of(const ReplayResult& result) {
+  return result.has_chip_load() && is_only_the_end_of_the_cut(result.last) ? result.judged : result.last;
+}
+
+void ResultCollector::take(const SensorFrame& frame, const BoardMonitor& monitor) {
+  const Health& health = monitor.health();
+  advance_time(frame.time_us);
+  if (frame.has(Channel::kChipLoad)) commanded_mm_ = frame.get(Channel::kChipLoad);
+  if (health.frame_flags != 0) count_flags(health.frame_flags);
+  note_change(health);
+  if (health.chip_load_state != ChipLoadState::kValid) return;
+  kept_.judged = health;
+  kept_.judged_time_s = 1.0e-6 * static_cast<double>(time_us_);
+  kept_.commanded_chip_load_mm = commanded_mm_;
+  for (std::size_t i = 0; i < monitor.hypothesis_count(); ++i) kept_.probability[i] = monitor.probability(i);
+}
+
+void ResultCollector::advance_time(std::uint32_t time_us) {
+  const auto step_us = static_cast<std::int32_t>(time_us - previous_us_);
+  if (kept_.frames++ == 0) {
+    time_us_ = time_us;
+  } else if (step_us > 0) {
+    time_us_ += step_us;
+  } else {
+    return;
+  }
+  previous_us_ = time_us;
+}
+
+void ResultCollector::count_flags(std::uint16_t flags) {
+  for (std::size_t bit = 0; bit < flag_counts_.size(); ++bit) flag_counts_[bit] += (flags >> bit) & 1U;
+}
+
+void ResultCollector::note_change(const Health& health) {
+  const bool is_valid = health.chip_load_state == ChipLoadState::kValid;
+  TimelineEntry entry{.time_s = 0.0,
+                      .state = health.state,
+                      .reason = health.reason,
+                      .chip_load_state = health.chip_load_state,
+                      .selected_hypothesis = is_valid ? health.selected_hypothesis : std::uint8_t{0}};
+  if (!kept_.timeline.empty()) {
+    entry.time_s = kept_.timeline.back().time_s;
+    if (entry == kept_.timeline.back()) return;
+  }
+  entry.time_s = 1.0e-6 * static_cast<double>(time_us_);
+  ++kept_.timeline_changes;
+  if (kept_.timeline.size() == kMostEntries) kept_.timeline.pop_back();
+  kept_.timeline.push_back(entry);
+}
+
+void ResultCollector::finish(const BoardMonitor& monitor, ReplayResult& result) const {
+  result.last = monitor.health();
+  result.judged = kept_.judged.chip_load_state == ChipLoadState::kValid ? kept_.judged : result.last;
+  result.judged_time_s = kept_.judged_time_s;
+  result.commanded_chip_load_mm = kept_.commanded_chip_load_mm;
+  result.probability = kept_.probability;
+  result.timeline = kept_.timeline;
+  result.timeline_changes = kept_.timeline_changes;
+  result.frames = kept_.frames;
+  for (std::size_t i = 0; i < monitor.hypothesis_count(); ++i) {
+    // Rounded for reading: the monitor holds float32.
+    result.hypotheses_mm.push_back(std::stod(std::to_string(monitor.hypothesis_mm(i))));
+  }
+  for (std::uint16_t bit = 0; bit < kFrameFlagCount; ++bit) {
+    if (flag_counts_[bit] == 0) continue;
+    result.reasons.emplace(name_of(static_cast<FrameFlag>(1U << bit)), flag_counts_[bit]);
+  }
+}
+
+}  // namespace morepro::host

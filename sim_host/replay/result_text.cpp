@@ -1,0 +1,131 @@
+#include "sim_host/replay/result_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "lib/monitor/reason.hpp"
+#include "sim_host/replay/names.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr std::size_t kMostChangesShown = 12;
+
+std::string line(std::string_view title, std::string_view content) {
+  return fmt::format("{:<12}{}\n", title, content);
+}
+
+std::string recording_lines(const ReplayResult& r) {
+  std::string text = line("Recording", fmt::format("{}: {} rows, {:.4f} s at {:g} Hz (median)", r.info.file,
+                                                   r.tally.rows, r.tally.duration_s, r.info.rate_hz));
+  if (r.tally.gaps > 0) {
+    text += line("", fmt::format("{} missing rows in {} gap(s), the first behind {:.4f} s",
+                                 r.tally.missing_rows, r.tally.gaps, r.tally.first_gap_s));
+  }
+  if (!r.damage.empty()) text += line("", fmt::format("DAMAGED: {}", r.damage));
+  return text + line("Machine", r.machine_name);
+}
+
+std::string frame_lines(const ReplayResult& r) {
+  std::string text =
+      line("Frames", fmt::format("{} accepted, {} rejected, {} missing", r.last.frames_accepted,
+                                 r.last.frames_rejected, r.last.frames_missing));
+  for (const auto& [name, count] : r.reasons) text += line("", fmt::format("{}: {}", name, count));
+  return text;
+}
+
+std::string chip_load_lines(const ReplayResult& r) {
+  if (!r.has_chip_load()) return line("Chip load", "undetermined") + line("Hypothesis", "none selected");
+  std::string commanded;
+  if (r.commanded_chip_load_mm > 0.0F)
+    commanded = fmt::format(", commanded {:.4g} mm", r.commanded_chip_load_mm);
+  const auto selected = r.judged.selected_hypothesis;
+  return line("Chip load",
+              fmt::format("{:.5f} mm, standard error {:.5f} mm (at {:.4f} s{})", r.judged.chip_load_mm,
+                          r.judged.chip_load_standard_error_mm, r.judged_time_s, commanded)) +
+         line("Hypothesis",
+              fmt::format("{:.4g} mm, probability {:.4f} (rule '{}', {} hypotheses {:.4g} .. {:.4g} mm)",
+                          r.hypotheses_mm.at(selected), r.judged.selected_probability,
+                          name_of(r.configuration.rule), r.hypotheses_mm.size(), r.hypotheses_mm.front(),
+                          r.hypotheses_mm.back()));
+}
+
+std::string timeline_line(const ReplayResult& r, const TimelineEntry& entry) {
+  std::string text = fmt::format("{:9.4f} s  {}", entry.time_s, name_of(entry.state));
+  if (entry.chip_load_state == ChipLoadState::kValid) {
+    return fmt::format("{}, {:.4g} mm", text, r.hypotheses_mm.at(entry.selected_hypothesis));
+  }
+  return fmt::format("{}, {}", text, text_of(static_cast<ReasonCode>(entry.reason)).name);
+}
+
+std::string timeline_lines(const ReplayResult& r) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostChangesShown, r.timeline.size()); ++i) {
+    text += line(i == 0 ? "Over time" : "", timeline_line(r, r.timeline[i]));
+  }
+  if (r.timeline_changes > kMostChangesShown) {
+    text += line("", fmt::format("... and {} more changes; --out FILE.csv has every frame",
+                                 r.timeline_changes - kMostChangesShown));
+  }
+  return text;
+}
+
+std::string parameter_lines(const ReplayResult& r) {
+  std::string text;
+  for (std::size_t i = 0; i < kParameterCount; ++i) {
+    const auto parameter = static_cast<Parameter>(i);
+    const ParameterEstimate& estimate = r.last.parameters[i];
+    std::string content = fmt::format("{:<25} datasheet {:<9.5g} ", name_of(parameter),
+                                      datasheet_value(r.configuration.machine, parameter));
+    if (estimate.status == ParameterStatus::kIdentifiable) {
+      content +=
+          fmt::format("estimate {:.5g}, standard error {:.2g}", estimate.value, estimate.standard_error);
+    } else {
+      content += fmt::format("not identifiable: {}", reason_of(estimate.status));
+    }
+    text += line(i == 0 ? "Parameters" : "", content);
+  }
+  return text;
+}
+
+std::string part_lines(const ReplayResult& r) {
+  std::string text;
+  for (const EvaluatedPart& part : r.parts) {
+    const std::string content = part.is_evaluated
+                                    ? fmt::format("{}: evaluated", part.name)
+                                    : fmt::format("{}: not evaluated ({})", part.name, part.reason);
+    text += line(text.empty() ? "Evaluation" : "", content);
+  }
+  return text;
+}
+
+std::string coloured(HealthState state, bool with_colour) {
+  if (!with_colour) return std::string(name_of(state));
+  const bool is_good = state == HealthState::kHealthy;
+  const bool is_open = state == HealthState::kNotEnoughData;
+  return fmt::format("\033[1;{}m{}\033[0m", is_good ? 32 : is_open ? 33 : 31, name_of(state));
+}
+
+std::string health_lines(const ReplayResult& r, bool with_colour) {
+  const Health& health = verdict_of(r);
+  const ReasonText& reason = text_of(static_cast<ReasonCode>(health.reason));
+  std::string text = line(
+      "Health", fmt::format("{}  {}: {}", coloured(health.state, with_colour), reason.name, reason.sentence));
+  if (!reason.cause.empty()) text += line("", fmt::format("Likely cause: {}", reason.cause));
+  if (!reason.next_step.empty()) text += line("", fmt::format("Next step: {}", reason.next_step));
+  return text;
+}
+
+}  // namespace
+
+std::string result_text(const ReplayResult& result, bool with_colour) {
+  const double real_time = result.elapsed_s > 0.0 ? result.tally.duration_s / result.elapsed_s : 0.0;
+  return recording_lines(result) + frame_lines(result) + chip_load_lines(result) + timeline_lines(result) +
+         parameter_lines(result) + part_lines(result) + health_lines(result, with_colour) +
+         line("Replay",
+              fmt::format("{:.0f} frames/s, {:.0f} times real time", result.frames_per_s(), real_time));
+}
+
+}  // namespace morepro::host

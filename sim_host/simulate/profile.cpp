@@ -1,0 +1,99 @@
+#include "sim_host/simulate/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim_host/simulate/random_numbers.hpp"
+
+namespace morepro::host {
+namespace {
+
+enum Stream : std::uint64_t { kFastVoltage = 1, kSlowVoltage = 2, kForce = 3 };
+
+// +-4 N on the 3 kg axis of the built-in machines moves it visibly against its speed sensor.
+constexpr double kForceDitherNKg = 4.0 / 3.0;
+
+bool is_on(double time_s, double on_s, double period_s) { return std::fmod(time_s, period_s) < on_s; }
+
+// +1 for a second, -1 for a second, a tenth of a second from one to the other.
+double reversing(double time_s) {
+  constexpr double kHoldS = 0.9;
+  constexpr double kRampS = 0.1;
+  const double phase_s = std::fmod(time_s, 2.0);
+  const double side = phase_s < 1.0 ? 1.0 : -1.0;
+  const double into_ramp = (std::fmod(phase_s, 1.0) - kHoldS) / kRampS;
+  return side * (1.0 - 2.0 * std::clamp(into_ramp, 0.0, 1.0));
+}
+
+}  // namespace
+
+Profile::Profile(ProfileKind kind, const MachineParameters& machine, double duration_s, std::uint64_t seed)
+    : kind_(kind),
+      machine_(machine),
+      point_(operating_point_of(machine)),
+      duration_s_(duration_s),
+      spin_up_s_(std::min(0.2, 0.1 * duration_s)),
+      force_scale_n_(kForceDitherNKg * machine.feed.mass_kg),
+      seed_(seed) {}
+
+Command Profile::at(double time_s) const {
+  switch (kind_) {
+    case ProfileKind::kRich:
+      return rich(time_s);
+    case ProfileKind::kCommissioning:
+      return commissioning(time_s);
+    case ProfileKind::kProduction:
+      return production(time_s);
+    case ProfileKind::kCutting:
+      return cutting(time_s);
+  }
+  return {};
+}
+
+Command Profile::rich(double time_s) const {
+  const double direction = reversing(time_s);
+  const double dither = binary_signal(mixed(seed_, kFastVoltage), time_s, 1.0e-3) +
+                        binary_signal(mixed(seed_, kSlowVoltage), time_s, 20.0e-3);
+  const bool is_steady = std::fabs(direction) == 1.0;
+  return {.is_speed_controlled = false,
+          .voltage_v = point_.voltage_v * (direction + 0.125 * dither),
+          .feed_speed_m_s = direction * point_.feed_speed_m_s,
+          .force_dither_n = force_scale_n_ * binary_signal(mixed(seed_, kForce), time_s, 30.0e-3),
+          .contact = is_steady && !is_on(time_s, 0.1, 0.2) ? 1.0 : 0.0,
+          .chip_load_mm = point_.chip_load_mm};
+}
+
+Command Profile::controlled(double time_s, double speed_fraction, double chip_load_mm) const {
+  const double ramp = std::min(1.0, time_s / spin_up_s_);
+  const double speed_rad_s = ramp * speed_fraction * point_.speed_rad_s;
+  return {.speed_rad_s = speed_rad_s,
+          .feed_speed_m_s = feed_speed_for(machine_, speed_rad_s, chip_load_mm),
+          .chip_load_mm = chip_load_mm};
+}
+
+Command Profile::commissioning(double time_s) const {
+  constexpr std::array kFractions{1.0, 0.85, 1.1, 0.9, 1.05, 0.8};
+  const auto step = static_cast<std::size_t>(time_s) % kFractions.size();
+  Command command = controlled(time_s, kFractions[step], point_.chip_load_mm);
+  command.voltage_v = 0.05 * point_.voltage_v * binary_signal(mixed(seed_, kSlowVoltage), time_s, 20.0e-3);
+  command.force_dither_n = 0.5 * force_scale_n_ * binary_signal(mixed(seed_, kForce), time_s, 30.0e-3);
+  command.contact = is_on(time_s, 0.5, 1.0) ? 0.0 : 1.0;
+  return command;
+}
+
+Command Profile::production(double time_s) const {
+  Command command = controlled(time_s, 1.0, point_.chip_load_mm);
+  command.voltage_v = 0.002 * point_.voltage_v * binary_signal(mixed(seed_, kSlowVoltage), time_s, 20.0e-3);
+  command.contact = time_s >= 1.5 * spin_up_s_ ? 1.0 : 0.0;
+  return command;
+}
+
+Command Profile::cutting(double time_s) const {
+  const double progress = time_s / duration_s_;
+  Command command =
+      controlled(time_s, 1.0, progress < 0.55 ? point_.chip_load_mm : point_.other_chip_load_mm);
+  command.contact = progress >= 0.2 && progress < 0.9 ? 1.0 : 0.0;
+  return command;
+}
+
+}  // namespace morepro::host

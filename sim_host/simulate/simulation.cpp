@@ -1,0 +1,97 @@
+#include "sim_host/simulate/simulation.hpp"
+
+#include <cmath>
+
+namespace morepro::host {
+namespace {
+
+constexpr double kAmbientDegc = 20.0;
+// Room for acceleration and dither above the voltage of the steady cut.
+constexpr double kVoltageReserve = 1.5;
+
+constexpr std::uint16_t kInputs = bit_of(Channel::kArmatureVoltage) | bit_of(Channel::kFeedForce) |
+                                  bit_of(Channel::kContact) | bit_of(Channel::kEngagement) |
+                                  bit_of(Channel::kChipLoad);
+
+}  // namespace
+
+Simulation::Simulation(const MonitorConfiguration& configuration, const SimulationOptions& options)
+    : parameters_(configuration.machine),
+      period_s_(1.0 / options.rate_hz),
+      frame_count_(static_cast<std::uint64_t>(std::llround(options.duration_s * options.rate_hz))),
+      profile_(options.profile, parameters_, options.duration_s, options.seed),
+      sensors_(configuration.sensors, options.seed),
+      machine_(parameters_, period_s_),
+      speed_controller_(
+          speed_controller(parameters_, kVoltageReserve * profile_.operating_point().voltage_v)),
+      feed_controller_(feed_controller(parameters_)) {}
+
+std::uint16_t Simulation::recorded() const {
+  return static_cast<std::uint16_t>(kInputs | sensors_.measured());
+}
+
+bool Simulation::next(SensorFrame& frame) {
+  if (index_ >= frame_count_) return false;
+  const double time_s = static_cast<double>(index_) * period_s_;
+  frame = SensorFrame{};
+  frame.sequence = static_cast<std::uint32_t>(index_);
+  frame.time_us = static_cast<std::uint32_t>(std::llround(time_s * 1.0e6));
+  measure_state(frame);
+  apply(profile_.at(time_s), frame);
+  measure_accelerations(frame);
+  machine_.step(input_of(frame));
+  ++index_;
+  return true;
+}
+
+void Simulation::measure_state(SensorFrame& frame) {
+  const PlantState<double>& state = machine_.state();
+  sensors_.measure(Channel::kSpindleSpeed, state.speed_rad_s, frame);
+  sensors_.measure(Channel::kSpindleAngle, machine_.angle_rad(), frame);
+  sensors_.measure(Channel::kFeedSpeed, state.feed_speed_m_s, frame);
+  sensors_.measure(Channel::kFeedPosition, machine_.position_m(), frame);
+  sensors_.measure(Channel::kArmatureCurrent, state.current_a, frame);
+  sensors_.measure(Channel::kToolTemperature, parameters_.thermal.tool_degc, frame);
+  sensors_.measure(Channel::kWindingTemperature, kAmbientDegc, frame);
+}
+
+// The controllers see what their sensors see; where a machine has none they see the truth.
+void Simulation::apply(const Command& command, SensorFrame& frame) {
+  const PlantState<double>& state = machine_.state();
+  const auto seen = [&frame](Channel channel, double truth) {
+    return frame.has(channel) ? static_cast<double>(frame.get(channel)) : truth;
+  };
+  double voltage_v = command.voltage_v;
+  if (command.is_speed_controlled) {
+    const double error = command.speed_rad_s - seen(Channel::kSpindleSpeed, state.speed_rad_s);
+    const double feedforward_v = parameters_.spindle.back_emf_constant_vs_rad * command.speed_rad_s;
+    voltage_v += speed_controller_.step(error, feedforward_v, period_s_);
+  }
+  const double feed_error = command.feed_speed_m_s - seen(Channel::kFeedSpeed, state.feed_speed_m_s);
+  const double feed_drag_n = parameters_.feed.viscous_friction_ns_m * command.feed_speed_m_s;
+  const double force_n = command.force_dither_n + feed_controller_.step(feed_error, feed_drag_n, period_s_);
+  frame.set(Channel::kArmatureVoltage, static_cast<float>(voltage_v));
+  frame.set(Channel::kFeedForce, static_cast<float>(force_n));
+  frame.set(Channel::kContact, static_cast<float>(command.contact));
+  frame.set(Channel::kEngagement, static_cast<float>(parameters_.feed.engagement));
+  frame.set(Channel::kChipLoad, static_cast<float>(command.chip_load_mm));
+}
+
+void Simulation::measure_accelerations(SensorFrame& frame) {
+  const PlantDerivative<double> rate = machine_.derivative(input_of(frame));
+  sensors_.measure(Channel::kSpindleAcceleration, rate.acceleration_rad_s2, frame);
+  sensors_.measure(Channel::kFeedAcceleration, rate.feed_acceleration_m_s2, frame);
+}
+
+// What is recorded is what was applied, to the last bit.
+PlantInput<double> Simulation::input_of(const SensorFrame& frame) const {
+  const auto at = [&frame](Channel channel) { return static_cast<double>(frame.get(channel)); };
+  return {.armature_voltage_v = at(Channel::kArmatureVoltage),
+          .feed_force_n = at(Channel::kFeedForce),
+          .contact = at(Channel::kContact),
+          .engagement = at(Channel::kEngagement),
+          .chip_load_mm = at(Channel::kChipLoad),
+          .tool_temperature_degc = parameters_.thermal.tool_degc};
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,37 @@
+#include "sim_host/support/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace morepro::host {
+
+Progress::Progress(std::string label, std::uint64_t total, bool is_on)
+    : label_(std::move(label)),
+      total_(total),
+      is_on_(is_on && total > 0),
+      is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (has_line_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::show() {
+  const auto now = Clock::now();
+  const std::uint64_t tenths = 10 * done_ / total_;
+  if (now < next_ || (!is_terminal_ && tenths == shown_tenths_)) return;
+  next_ = now + std::chrono::milliseconds(200);
+  shown_tenths_ = tenths;
+  const double elapsed_s = std::chrono::duration<double>(now - start_).count();
+  const double share = static_cast<double>(done_) / static_cast<double>(total_);
+  const std::string line =
+      fmt::format("{}: {:.0f} %, {:.0f} frames/s, {:.0f} s left", label_, 100.0 * share,
+                  static_cast<double>(done_) / elapsed_s, elapsed_s * (1.0 / share - 1.0));
+  fmt::print(stderr, "{}{}{}", is_terminal_ ? "\r\033[K" : "", line, is_terminal_ ? "" : "\n");
+  std::fflush(stderr);
+  has_line_ = is_terminal_;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,52 @@
+#include "firmware/block_board.hpp"
+#include "firmware/semihosting/semihost.hpp"
+#include "lib/monitor/monitor.hpp"
+#include "lib/wire/record_codec.hpp"
+#include "tests/target/count/count.hpp"
+
+namespace morepro {
+namespace {
+
+/// The frames of the recording, without anything to write to.
+class RecordedFrames {
+ public:
+  RecordedFrames() : input_(firmware::semihost::open(count::recording(), firmware::semihost::OpenMode::kRead)) {}
+  std::size_t read(std::span<std::uint8_t> buffer) { return firmware::semihost::read(input_, buffer); }
+  bool write(std::span<const std::uint8_t>) { return true; }
+  std::uint32_t now_us() { return 0; }
+
+ private:
+  int input_;
+};
+
+SensorFrame frame;
+
+void next_frame() {
+  static RecordedFrames files;
+  static firmware::BlockBoard<RecordedFrames> board(files);
+  while (true) {
+    const hal::ReadStatus status = board.read_frame(frame);
+    if (status == hal::ReadStatus::kFrame) return;
+    if (status == hal::ReadStatus::kEnd) firmware::semihost::exit(4);
+  }
+}
+
+BoardMonitor& monitor() {
+  static BoardMonitor the_monitor;
+  return the_monitor;
+}
+
+void step_monitor() { count::keep(monitor().step(frame)); }
+
+void encode_health() {
+  static std::array<std::uint8_t, wire::kMaxEncodedSize<Health>> message;
+  count::keep(wire::encode(monitor().health(), message));
+}
+
+void nothing() {}
+
+const count::Entry kMonitorStep("monitor_step", 1, next_frame, step_monitor);
+const count::Entry kEncodeHealth("encode_health", 1, nothing, encode_health);
+
+}  // namespace
+}  // namespace morepro

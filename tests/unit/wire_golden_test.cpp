@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "tests/unit/wire_support.hpp"
+
+namespace morepro::wire_test {
+namespace {
+
+// The bytes were made by a separate program from the tables in lib/wire/README.md (struct.pack and zlib.crc32
+// of Python). Recordings hold these bytes: when a test of this file turns red, the format has changed, and
+// kProtocolVersion or kConfigurationLayout has to change with it.
+
+std::string hex(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15U];
+  }
+  return text;
+}
+
+SensorFrame golden_frame() {
+  SensorFrame frame;
+  frame.sequence = 0x01020304;
+  frame.time_us = 0xA0B0C0D0;
+  frame.set(Channel::kArmatureVoltage, 48.0F);
+  frame.set(Channel::kContact, 1.0F);
+  frame.set(Channel::kSpindleSpeed, -314.15927F);
+  frame.set(Channel::kFeedAcceleration, std::bit_cast<float>(0x7fa00001U));
+  return frame;
+}
+
+Health golden_health() {
+  Health health{.sequence = 7,
+                .time_us = 700,
+                .state = HealthState::kReplace,
+                .reason = 404,
+                .frame_flags = 0x0041,
+                .rejected_channels = 0x0110,
+                .frames_accepted = 6,
+                .frames_rejected = 1,
+                .frames_missing = 2,
+                .chip_load_state = ChipLoadState::kValid,
+                .chip_load_mm = 0.0625F,
+                .chip_load_standard_error_mm = 0.001953125F,
+                .hypothesis_count = 11,
+                .selected_hypothesis = 4,
+                .selected_probability = 0.875F,
+                .spindle_speed_rad_s = 300.5F,
+                .feed_speed_m_s = 0.05F,
+                .armature_current_a = -std::numeric_limits<float>::quiet_NaN(),
+                .innovation_ratio = 1.25F};
+  for (std::size_t k = 0; k < kParameterCount; ++k)
+    health.parameters[k] = {0.5F * static_cast<float>(k), 0.25F * static_cast<float>(k),
+                            static_cast<ParameterStatus>(k % 6)};
+  return health;
+}
+
+MachineParameters golden_machine() {
+  return {.spindle = {.torque_constant_nm_a = 0.1 * 1,
+                      .back_emf_constant_vs_rad = 0.1 * 2,
+                      .resistance_ohm = 0.1 * 3,
+                      .inductance_h = 0.1 * 4,
+                      .inertia_kgm2 = 0.1 * 5,
+                      .viscous_friction_nms_rad = 0.1 * 6},
+          .feed = {.mass_kg = 0.1 * 7,
+                   .contact_force_n = 0.1 * 8,
+                   .contact_offset_n = 0.1 * 9,
+                   .engagement = 0.1 * 10,
+                   .viscous_friction_ns_m = 0.1 * 11,
+                   .screw_pitch_m = 0.1 * 12},
+          .tool = {.diameter_mm = 0.1 * 13, .teeth = 0.1 * 14, .chip_load_mm = 0.1 * 15},
+          .contact = {.form = ContactForm::kThesis,
+                      .viscous_gain_nms = 20.5,
+                      .edge_force_n = 21.5,
+                      .chip_force_n_mm = 22.5,
+                      .radius_m = 23.5,
+                      .speed_scale_rad_s = 24.5},
+          .thermal = {.reference_degc = 25.5, .melting_degc = 26.5, .exponent = 27.5, .tool_degc = 28.5}};
+}
+
+MonitorConfiguration golden_configuration() {
+  MonitorConfiguration configuration{
+      .machine = golden_machine(),
+      .sampling = {.rate_hz = 8000.0},
+      .grid = {.first_mm = 0.02, .step_mm = 0.015, .count = 0x11121314},
+      .tuning = {.speed_process_noise_rad_s = 0.001 * 1,
+                 .current_process_noise_a = 0.001 * 2,
+                 .feed_process_noise_m_s = 0.001 * 3,
+                 .chip_load_drift_mm = 0.001 * 4,
+                 .switch_probability = 0.001 * 5,
+                 .parameter_start_fraction = 0.001 * 6},
+      .wear = {.watch_ratio = 5.25, .replace_ratio = 6.25, .low_ratio = 7.25, .hold_s = 8.25},
+      .rule = DecisionRule::kThesis};
+  for (std::size_t k = 0; k < kChannelCount; ++k) {
+    const auto number = static_cast<double>(k);
+    configuration.sensors.by_channel[k] = {.noise = 100.0 + number, .lsb = 1.0e-3 * (number + 1.0)};
+  }
+  return configuration;
+}
+
+wire::Text golden_text() {
+  wire::Text text;
+  EXPECT_TRUE(text.assign("machine: reference"));
+  return text;
+}
+
+TEST(WireGolden, FrameHasItsBytes) {
+  EXPECT_EQ(hex(encoded(golden_frame())),
+            "0c0104030201d0c0b0a01520010340420108803f63149dc30107a07fdd47399500");
+}
+
+TEST(WireGolden, HealthHasItsBytes) {
+  EXPECT_EQ(hex(encoded(golden_health())),
+            "030207010103bc02010503940141041001060101020101010202010102010103803d0101043b0b040103603f08"
+            "409643cdcc4c3d0103c07f0103a03f0101010101010101010101023f0104803e010103803f0101033f020103c0"
+            "3f0104403f03010102400104803f04010320400104a03f05010340400103c03f050788a19700");
+}
+
+TEST(WireGolden, ConfigurationHasItsBytes) {
+  EXPECT_EQ(hex(encoded(golden_configuration())),
+            "2303019a9999999999b93f9a9999999999c93f343333333333d33f9a9999999999d93f010101010123e03f3433"
+            "33333333e33f676666666666e63f9a9999999999e93fcdccccccccccec3f010101010123f03f9a9999999999f1"
+            "3f343333333333f33fcdccccccccccf43f676666666666f63f010101010104f83f010101010104803440010101"
+            "010480354001010101048036400101010104803740010101010480384001010101048039400101010104803a40"
+            "0101010104803b400101010104803c4001010101010b5940fca9f1d24d62503f010101010c405940fca9f1d24d"
+            "62603f010101010c805940fa7e6abc7493683f010101010cc05940fca9f1d24d62703f01010101010b5a407b14"
+            "ae47e17a743f010101010c405a40fa7e6abc7493783f010101010c805a4079e9263108ac7c3f010101010cc05a"
+            "40fca9f1d24d62803f01010101010b5b403cdf4f8d976e823f010101010c405b407b14ae47e17a843f01010101"
+            "0c805b40ba490c022b87863f010101010cc05b40fa7e6abc7493883f01010101010b5c403ab4c876be9f8a3f01"
+            "0101010c405c4079e9263108ac8c3f010101014840bf407b14ae47e17a943fb81e85eb51b88e3f14131211fca9"
+            "f1d24d62503ffca9f1d24d62603ffa7e6abc7493683ffca9f1d24d62703f7b14ae47e17a743ffa7e6abc749378"
+            "3f010101010103154001010101010319400101010101031d400101010109802040021474b35000");
+}
+
+TEST(WireGolden, ControlRecordsHaveTheirBytes) {
+  EXPECT_EQ(hex(encoded(wire::Ready{.protocol_version = 1, .build_id = 0xCAFE0001, .reset_cause = 1})),
+            "0404010108feca01f050576600");
+  EXPECT_EQ(hex(encoded(wire::End{.frames = 20000})), "0405204e01059977f4d400");
+  EXPECT_EQ(hex(encoded(golden_text())), "18066d616368696e653a207265666572656e6365f119949100");
+}
+
+}  // namespace
+}  // namespace morepro::wire_test
