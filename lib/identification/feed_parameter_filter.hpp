@@ -85,6 +85,9 @@ class FeedParameterFilter {
  private:
   using Covariance = UdCovariance<Real, 2 + kFeedParameterCount>;
 
+  /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
+  static constexpr double kKnown = 1.0 / 36.0;
+
   static constexpr std::size_t index_of(FeedParameter parameter) {
     return static_cast<std::size_t>(parameter);
   }
@@ -92,7 +95,7 @@ class FeedParameterFilter {
   void drift() {
     turn_ = turn_ + 1 < kFeedParameterCount ? turn_ + 1 : 0;
     const Real q = drift_variance_ * static_cast<Real>(kFeedParameterCount);
-    if (covariance_.variance(2 + turn_) + q < Real(0.25) * start_variance_)
+    if (covariance_.variance(2 + turn_) + q < Real(kKnown) * start_variance_)
       covariance_.add_variance(2 + turn_, q);
   }
 

@@ -119,6 +119,9 @@ class SpindleParameterFilter {
   /// Process noise of w and i per step, as a share of one measurement's variance.
   static constexpr double kProcessShare = 0.01;
 
+  /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
+  static constexpr double kKnown = 1.0 / 36.0;
+
   static constexpr std::size_t index_of(SpindleParameter parameter) {
     return static_cast<std::size_t>(parameter);
   }
@@ -147,7 +150,7 @@ class SpindleParameterFilter {
     turn_ = turn_ + 1 < kSpindleParameterCount ? turn_ + 1 : 0;
     const Real q = drift_variance_ * static_cast<Real>(kSpindleParameterCount);
     known_[turn_] = covariance_.variance(2 + turn_);
-    if (known_[turn_] + q < Real(0.25) * start_variance_) covariance_.add_variance(2 + turn_, q);
+    if (known_[turn_] + q < Real(kKnown) * start_variance_) covariance_.add_variance(2 + turn_, q);
   }
 
   Real update_one(std::size_t element, Real innovation, Real variance) {

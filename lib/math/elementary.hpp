@@ -6,8 +6,7 @@
 /// Elementary functions. The float overloads use + - * / and bit operations only, so that every machine gives
 /// the same bits; each is defined for every argument, branches rarely, and may run in an interrupt. Results
 /// below the smallest normal number (1.2e-38) are 0. The double overloads are the standard library's, for
-/// comparison on a PC. Largest relative errors against the double library, by the sweeps of
-/// elementary_test.cpp.
+/// comparison on a PC. The relative errors are the largest against those, by the sweeps of the unit test.
 namespace morepro::math {
 
 constexpr float abs(float x) { return detail::magnitude(x); }

@@ -179,7 +179,7 @@ class Monitor {
     if (e.held.knows(Channel::kFeedForce)) step_feed(feed);
     e.parameters.step_spindle(e.held, spindle, cuts_as_commanded());
     const auto& filter = e.feed.filter();
-    e.parameters.step_feed(e.held, feed, filter.speed_m_s(), math::sqrt(filter.speed_variance()));
+    e.parameters.step_feed(e.held, feed, math::sqrt(filter.speed_variance()));
     e.parameters.refresh();
   }
 

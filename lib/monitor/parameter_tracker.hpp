@@ -45,14 +45,14 @@ class ParameterTracker {
     is_spindle_running_ = may_run;
   }
 
-  /// One frame of the feed axis; `speed_m_s` is the feed filter's estimate.
-  void step_feed(const HeldInputs& held, const FeedMeasurement<float>& y, float speed_m_s,
+  /// One frame of the feed axis; the deviation is that of the feed filter's speed.
+  void step_feed(const HeldInputs& held, const FeedMeasurement<float>& y,
                  float speed_deviation_m_s) {
     const bool is_complete = held.knows(Channel::kFeedForce) && (y.has_speed() || y.has_position());
     if (is_complete) feed_seen_ = true;
-    feed_rest_.step(speed_m_s, speed_deviation_m_s);
     force_rest_.step(held.get(Channel::kFeedForce), kForceBand);
-    const bool may_run = is_complete && !(feed_rest_.is_at_rest() && force_rest_.is_at_rest());
+    contact_rest_.step(held.is_in_contact() ? 1.0F : 0.0F, kContactBand);
+    const bool may_run = is_complete && !(force_rest_.is_at_rest() && contact_rest_.is_at_rest());
     if (may_run && is_feed_running_) {
       const float variance = y.has_speed() ? y.speed_variance : speed_deviation_m_s * speed_deviation_m_s;
       feed_.predict(held.feed(), kFeedProcessShare * variance);
@@ -73,11 +73,13 @@ class ParameterTracker {
 
  private:
   static constexpr float kDrift = 2.0e-5F;  // relative, per step: 0.2 % per second at 10 kHz
-  static constexpr float kFeedProcessShare = 0.01F;
+  static constexpr float kFeedProcessShare = 1.0e-3F;
+  static constexpr float kContactBand = 0.01F;  // any change of contact is a change
   static constexpr float kForceBand = 0.05F;    // N
   static constexpr float kUsableError = 0.05F;  // a relative standard error above says nothing to an engineer
   static constexpr float kLearnt = 1.0F / 9.0F;  // variance against the datasheet's: a third of its deviation
   static constexpr float kCorrelated = 0.9F;
+  static constexpr float kSharp = 0.01F;    // so well known, it does not matter with what it is correlated
   static constexpr float kMismatch = 3.0F;  // normalised innovation squared of a model that does not fit
 
   static float period_of(const MonitorConfiguration& c) {
@@ -163,7 +165,7 @@ class ParameterTracker {
   bool samples_inductance_;
   SpindleParameterFilter<float> spindle_;
   FeedParameterFilter<float> feed_;
-  RestDetector<float> speed_rest_, current_rest_, feed_rest_, force_rest_;
+  RestDetector<float> speed_rest_, current_rest_, force_rest_, contact_rest_;
   RunningRatio spindle_ratio_, feed_ratio_;
   bool is_spindle_running_ = false, is_feed_running_ = false;
   bool spindle_seen_ = false, feed_seen_ = false;

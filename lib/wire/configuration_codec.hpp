@@ -85,14 +85,6 @@ inline constexpr auto kFields<WearLimits> = std::tuple{
 };
 
 template <>
-inline constexpr auto kFields<WearLimits> = std::tuple{
-    &WearLimits::watch_ratio,
-    &WearLimits::replace_ratio,
-    &WearLimits::low_ratio,
-    &WearLimits::hold_s,
-};
-
-template <>
 inline constexpr auto kFields<MonitorConfiguration> = std::tuple{
     &MonitorConfiguration::machine, &MonitorConfiguration::sensors, &MonitorConfiguration::sampling,
     &MonitorConfiguration::grid,    &MonitorConfiguration::tuning,  &MonitorConfiguration::wear,

@@ -64,7 +64,6 @@ constexpr bool is_known(ParameterStatus status) {
     case ParameterStatus::kCorrelated:
     case ParameterStatus::kModelMismatch:
     case ParameterStatus::kSamplingTooSlow:
-    case ParameterStatus::kSamplingTooSlow:
     case ParameterStatus::kIdentifiable:
       return true;
   }

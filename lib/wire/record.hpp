@@ -51,7 +51,8 @@ struct Text {
 
   /// Takes `text`; false and unchanged: too long, or it holds a control character.
   [[nodiscard]] bool assign(std::string_view text) {
-    if (text.size() > kMaxSize || std::any_of(text.begin(), text.end(), is_control)) return false;
+    if (text.size() > kMaxSize || std::any_of(text.begin(), text.end(), [](char c) { return is_control(c); }))
+      return false;
     size = static_cast<std::uint8_t>(text.size());
     bytes = {};
     std::copy(text.begin(), text.end(), bytes.begin());

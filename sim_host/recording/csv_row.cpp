@@ -100,6 +100,7 @@ class RowParser {
     cursor_.position = field;
     cursor_.skip_field();
     const std::string_view text(field, static_cast<std::size_t>(cursor_.position - field));
+    if (const std::size_t fields = count_fields(); fields != header_.columns.size()) refuse_count(fields);
     if (text.empty()) {
       throw UserError(place(field),
                       fmt::format("'{}' is empty; every row needs its time in seconds", column.name));

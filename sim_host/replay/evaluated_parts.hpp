@@ -4,8 +4,8 @@
 
 namespace morepro::host {
 
-/// Which balances and estimates of a replay had what they need. The answer is the monitor's; the reason names
-/// the tables of the machine file and the columns of the recording that are missing.
+/// Which balances and estimates of a replay had what they need; the reason names the table of the machine
+/// file or the columns of the recording that are missing.
 std::vector<EvaluatedPart> evaluated_parts(const MachineDescription& machine, const ReplayResult& result);
 
 }  // namespace morepro::host

@@ -36,6 +36,9 @@ struct ReplayResult {
   RecordingTally tally;
   std::string damage;  ///< what is wrong with the recording's end or bytes; empty: whole
   std::string machine_name;
+  bool has_spindle = true;  ///< the machine is described in this part
+  bool has_feed = true;
+  std::uint16_t seen = 0;  ///< bit_of(channel): at least one sample was there
   MonitorConfiguration configuration;
 
   Health last;               ///< after the last frame
@@ -55,6 +58,11 @@ struct ReplayResult {
   [[nodiscard]] bool has_chip_load() const { return judged.chip_load_state == ChipLoadState::kValid; }
   [[nodiscard]] double frames_per_s() const { return static_cast<double>(frames) / elapsed_s; }
 };
+
+/// "" where the parameter was identified, else one clause that says why not.
+std::string reason_of(const ReplayResult& result, Parameter parameter);
+/// Does the machine file say something about the parameter?
+bool is_described(const ReplayResult& result, Parameter parameter);
 
 /// The verdict on the whole recording: that of its end, except where the end is only the tool leaving the
 /// cut.

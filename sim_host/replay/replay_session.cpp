@@ -62,6 +62,8 @@ ReplayResult replay(RecordingReader& recording, const MachineDescription& machin
   result.tally = recording.tally();
   result.damage = recording.damage();
   result.machine_name = machine.name;
+  result.has_spindle = machine.has_spindle;
+  result.has_feed = machine.has_feed;
   result.configuration = machine.configuration;
   result.parts = evaluated_parts(machine, result);
   return result;

@@ -18,6 +18,16 @@ bool is_only_the_end_of_the_cut(const Health& health) {
 
 }  // namespace
 
+bool is_described(const ReplayResult& result, Parameter parameter) {
+  const bool is_of_feed = parameter == Parameter::kMass || parameter == Parameter::kContactForce;
+  return is_of_feed ? result.has_feed : result.has_spindle;
+}
+
+std::string reason_of(const ReplayResult& result, Parameter parameter) {
+  if (!is_described(result, parameter)) return "the machine file does not describe it";
+  return std::string(reason_of(result.last.parameters[index_of(parameter)].status));
+}
+
 const Health& verdict_of(const ReplayResult& result) {
   return result.has_chip_load() && is_only_the_end_of_the_cut(result.last) ? result.judged : result.last;
 }
@@ -25,6 +35,7 @@ const Health& verdict_of(const ReplayResult& result) {
 void ResultCollector::take(const SensorFrame& frame, const BoardMonitor& monitor) {
   const Health& health = monitor.health();
   advance_time(frame.time_us);
+  kept_.seen = static_cast<std::uint16_t>(kept_.seen | frame.present);
   if (frame.has(Channel::kChipLoad)) commanded_mm_ = frame.get(Channel::kChipLoad);
   if (health.frame_flags != 0) count_flags(health.frame_flags);
   note_change(health);
@@ -77,6 +88,7 @@ void ResultCollector::finish(const BoardMonitor& monitor, ReplayResult& result) 
   result.timeline = kept_.timeline;
   result.timeline_changes = kept_.timeline_changes;
   result.frames = kept_.frames;
+  result.seen = kept_.seen;
   for (std::size_t i = 0; i < monitor.hypothesis_count(); ++i) {
     // Rounded for reading: the monitor holds float32.
     result.hypotheses_mm.push_back(std::stod(std::to_string(monitor.hypothesis_mm(i))));

@@ -61,11 +61,12 @@ Json parameters_of(const ReplayResult& r) {
     const ParameterEstimate& estimate = r.last.parameters[i];
     const bool is_identifiable = estimate.status == ParameterStatus::kIdentifiable;
     Json entry{{"name", name_of(parameter)},
-               {"datasheet", datasheet_value(r.configuration.machine, parameter)},
+               {"datasheet", nullptr},
                {"refit", nullptr},
                {"standard_error", nullptr},
                {"identifiable", is_identifiable},
-               {"reason", reason_of(estimate.status)}};
+               {"reason", reason_of(r, parameter)}};
+    if (is_described(r, parameter)) entry["datasheet"] = datasheet_value(r.configuration.machine, parameter);
     if (is_identifiable) {
       entry["refit"] = readable(estimate.value);
       entry["standard_error"] = readable(estimate.standard_error);

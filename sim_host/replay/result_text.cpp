@@ -72,20 +72,24 @@ std::string timeline_lines(const ReplayResult& r) {
   return text;
 }
 
+std::string parameter_text(const ReplayResult& r, Parameter parameter) {
+  const ParameterEstimate& estimate = r.last.parameters[index_of(parameter)];
+  if (!is_described(r, parameter)) return "not described";
+  const std::string datasheet =
+      fmt::format("datasheet {:<9.5g}", datasheet_value(r.configuration.machine, parameter));
+  if (estimate.status != ParameterStatus::kIdentifiable) {
+    return fmt::format("{} not identified: {}", datasheet, reason_of(r, parameter));
+  }
+  return fmt::format("{} estimate {:.5g}, standard error {:.2g}", datasheet, estimate.value,
+                     estimate.standard_error);
+}
+
 std::string parameter_lines(const ReplayResult& r) {
   std::string text;
   for (std::size_t i = 0; i < kParameterCount; ++i) {
     const auto parameter = static_cast<Parameter>(i);
-    const ParameterEstimate& estimate = r.last.parameters[i];
-    std::string content = fmt::format("{:<25} datasheet {:<9.5g} ", name_of(parameter),
-                                      datasheet_value(r.configuration.machine, parameter));
-    if (estimate.status == ParameterStatus::kIdentifiable) {
-      content +=
-          fmt::format("estimate {:.5g}, standard error {:.2g}", estimate.value, estimate.standard_error);
-    } else {
-      content += fmt::format("not identifiable: {}", reason_of(estimate.status));
-    }
-    text += line(i == 0 ? "Parameters" : "", content);
+    text += line(i == 0 ? "Parameters" : "",
+                 fmt::format("{:<25}{}", name_of(parameter), parameter_text(r, parameter)));
   }
   return text;
 }

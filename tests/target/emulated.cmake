@@ -12,14 +12,14 @@ function(morepro_recording name)
 endfunction()
 
 function(morepro_emulated_test name recording limit_s)
-  add_test(NAME ${name} COMMAND Python3::Interpreter ${ARGN})
+  add_test(NAME ${name} COMMAND "${Python3_EXECUTABLE}" ${ARGN})
   set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED recording_${recording} TIMEOUT ${limit_s}
     SKIP_RETURN_CODE 77)
 endfunction()
 
-morepro_recording(synthetic_long Python3::Interpreter "${target_scripts}/synthetic_recording.py" 24000
+morepro_recording(synthetic_long "${Python3_EXECUTABLE}" "${target_scripts}/synthetic_recording.py" 24000
   "${recordings}/synthetic_long.mrec")
-morepro_recording(synthetic_short Python3::Interpreter "${target_scripts}/synthetic_recording.py" 3000
+morepro_recording(synthetic_short "${Python3_EXECUTABLE}" "${target_scripts}/synthetic_recording.py" 3000
   "${recordings}/synthetic_short.mrec")
 set(replayed synthetic_long)
 if(TARGET morepro)

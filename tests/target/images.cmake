@@ -1,6 +1,6 @@
 # In a board's own build: every image that can judge itself, and what the images weigh.
 function(morepro_image_test image limit_s)
-  add_test(NAME target.${image} COMMAND Python3::Interpreter "${target_scripts}/image_test.py"
+  add_test(NAME target.${image} COMMAND "${Python3_EXECUTABLE}" "${target_scripts}/image_test.py"
     ${MOREPRO_BOARD} $<TARGET_FILE:${image}> ${limit_s} ${ARGN})
   math(EXPR timeout "${limit_s} + 30")
   set_tests_properties(target.${image} PROPERTIES TIMEOUT ${timeout})
@@ -11,7 +11,19 @@ morepro_image_test(unit 300)
 if(TARGET watchdog)
   morepro_image_test(watchdog 60)
 endif()
+set(frames "${CMAKE_CURRENT_BINARY_DIR}/short.mrec")
+add_test(NAME recording.short COMMAND "${Python3_EXECUTABLE}" "${target_scripts}/synthetic_recording.py" 6000
+  "${frames}")
+set_tests_properties(recording.short PROPERTIES FIXTURES_SETUP recording_short TIMEOUT 60)
+
+add_test(NAME target.stack COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/tests/budget/stack_test.py"
+  ${MOREPRO_BOARD} $<TARGET_FILE:replay> "${frames}" "${CMAKE_BINARY_DIR}/firmware/CMakeFiles/replay.dir"
+  "${CMAKE_BINARY_DIR}/lib")
+set_tests_properties(target.stack PROPERTIES FIXTURES_REQUIRED recording_short TIMEOUT 150)
+
 if(TARGET count)
   # One tick of virtual time per instruction: the counts are exact.
-  morepro_image_test(count 300 -icount shift=0)
+  add_test(NAME target.count COMMAND "${Python3_EXECUTABLE}" "${target_scripts}/count_test.py"
+    ${MOREPRO_BOARD} $<TARGET_FILE:count> "${frames}")
+  set_tests_properties(target.count PROPERTIES FIXTURES_REQUIRED recording_short TIMEOUT 330)
 endif()

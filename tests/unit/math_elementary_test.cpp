@@ -155,5 +155,12 @@ TEST(Elementary, BranchFreeLogIsTheSameFunction) {
   }
 }
 
+TEST(Elementary, BranchFreeExpIsTheSameFunctionDownToItsFloor) {
+  for (const float x : {0.0F, -1.0e-6F, -1.0F, -50.0F, -85.9F}) {
+    EXPECT_EQ(math::exp_of_nonpositive(x), math::exp(x));
+  }
+  EXPECT_EQ(math::exp_of_nonpositive(-1.0e30F), math::exp(-86.0F));
+}
+
 }  // namespace
 }  // namespace morepro

@@ -124,5 +124,17 @@ TEST(WireCobs, ByteByByteGivesTheSameAsTheWhole) {
   }
 }
 
+TEST(WireCobs, ByteByByteGivesBackLongRuns) {
+  Random random(16);
+  wire::CobsStream<1100> stream;
+  for (std::size_t size = 0; size < 1100; ++size) {
+    const Bytes plain = random_plain(random, size);
+    for (const std::uint8_t byte : stuffed(plain)) stream.push(byte);
+    const auto result = stream.finish();
+    ASSERT_EQ(result.status, CobsStatus::kOk);
+    ASSERT_TRUE(std::ranges::equal(stream.decoded(result.size), plain)) << size;
+  }
+}
+
 }  // namespace
 }  // namespace morepro::wire_test

@@ -142,7 +142,22 @@ TEST_F(WireNativeRecording, ARecordBehindTheEndMakesItUnfinishedAgain) {
   Bytes bytes = bytes_of("run.mrec");
   append(bytes, encoded(frame(3)));
   put("run.mrec", bytes);
-  EXPECT_FALSE(NativeReader(path("run.mrec")).integrity().is_complete());
+  EXPECT_FALSE(NativeReader(path("run.mrec")).integrity().has_end);
+}
+
+TEST_F(WireNativeRecording, AnUnfinishedRecordBehindTheEndMakesItUnfinishedAgain) {
+  write_recording("run.mrec", 3);
+  Bytes bytes = bytes_of("run.mrec");
+  bytes.push_back(7);
+  put("run.mrec", bytes);
+  EXPECT_FALSE(NativeReader(path("run.mrec")).integrity().has_end);
+}
+
+TEST_F(WireNativeRecording, GivesTheFirstOfSeveralConfigurations) {
+  Bytes bytes = encoded(thesis_configuration());
+  append(bytes, encoded(reference_configuration()));
+  put("run.mrec", bytes);
+  EXPECT_TRUE(same(NativeReader(path("run.mrec")).configuration().value(), thesis_configuration()));
 }
 
 TEST_F(WireNativeRecording, CountsMissingFramesBySequenceAndTimeThroughTheWrap) {

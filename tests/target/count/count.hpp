@@ -3,9 +3,9 @@
 
 namespace morepro::count {
 
-/// One function whose instructions are counted; a static object of this class enters it into the table of the count
-/// image. `body` is called many times, `prepare` before each of them, uncounted. The count is divided by `per_call`.
-/// The names are those of tests/budget/budget.json.
+/// One function whose instructions are counted; a static object of this class enters it into the table of the
+/// count image. `body` is called many times, `prepare` before each of them, uncounted. The count is divided
+/// by `per_call`. The names are those of tests/budget/budget.json.
 struct Entry {
   Entry(const char* entry_name, std::uint32_t units_per_call, void (*prepare_call)(), void (*counted_call)())
       : name(entry_name), per_call(units_per_call), prepare(prepare_call), body(counted_call), next(first) {

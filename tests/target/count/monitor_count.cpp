@@ -1,7 +1,7 @@
 #include "firmware/block_board.hpp"
 #include "firmware/semihosting/semihost.hpp"
 #include "lib/monitor/monitor.hpp"
-#include "lib/wire/record_codec.hpp"
+#include "lib/wire/decoder.hpp"
 #include "tests/target/count/count.hpp"
 
 namespace morepro {
@@ -10,7 +10,8 @@ namespace {
 /// The frames of the recording, without anything to write to.
 class RecordedFrames {
  public:
-  RecordedFrames() : input_(firmware::semihost::open(count::recording(), firmware::semihost::OpenMode::kRead)) {}
+  RecordedFrames()
+      : input_(firmware::semihost::open(count::recording(), firmware::semihost::OpenMode::kRead)) {}
   std::size_t read(std::span<std::uint8_t> buffer) { return firmware::semihost::read(input_, buffer); }
   bool write(std::span<const std::uint8_t>) { return true; }
   std::uint32_t now_us() { return 0; }
@@ -43,9 +44,24 @@ void encode_health() {
   count::keep(wire::encode(monitor().health(), message));
 }
 
+std::array<std::uint8_t, wire::kMaxEncodedSize<SensorFrame>> received;
+std::size_t received_size;
+
+void receive_next_frame() {
+  next_frame();
+  received_size = wire::encode(frame, received);
+}
+
+void decode_frame() {
+  static wire::Decoder decoder;
+  for (std::size_t i = 0; i < received_size; ++i) (void)decoder.push(received[i]);
+  count::keep(decoder.record());
+}
+
 void nothing() {}
 
 const count::Entry kMonitorStep("monitor_step", 1, next_frame, step_monitor);
+const count::Entry kDecodeFrame("decode_frame", 1, receive_next_frame, decode_frame);
 const count::Entry kEncodeHealth("encode_health", 1, nothing, encode_health);
 
 }  // namespace

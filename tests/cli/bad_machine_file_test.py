@@ -1,0 +1,156 @@
+"""Every impossible machine file gets one sentence with file, line, column and key, and status 1."""
+
+import unittest
+
+from program import ProgramTest
+
+GOOD = """[machine]
+name = "mill"
+[spindle]
+torque_constant_nm_a = 0.08
+back_emf_constant_vs_rad = 0.08
+resistance_ohm = 0.8
+inductance_h = 0.5e-3
+inertia_kgm2 = 1.2e-4
+viscous_friction_nms_rad = 1e-4
+[feed]
+mass_kg = 3
+contact_force_n = 20
+contact_offset_n = 2
+engagement = 1
+viscous_friction_ns_m = 200
+screw_pitch_m = 0.005
+[tool]
+diameter_mm = 10
+teeth = 4
+chip_load_mm = 0.05
+[contact]
+form = "consistent"
+viscous_gain_nms = 0
+edge_force_n = 40
+chip_force_n_mm = 1600
+radius_m = 0.005
+speed_scale_rad_s = 1
+[thermal]
+reference_degc = 400
+melting_degc = 1400
+exponent = 0.5535
+tool_degc = 500
+[sampling]
+rate_hz = 10000
+[sensors.spindle_speed_rad_s]
+noise = 1
+lsb = 0
+[sensors.feed_speed_m_s]
+noise = 0.002
+[sensors.armature_current_a]
+noise = 0.05
+"""
+POSITIVE = ["torque_constant_nm_a", "back_emf_constant_vs_rad", "resistance_ohm", "inductance_h", "inertia_kgm2",
+            "mass_kg", "diameter_mm", "teeth", "chip_load_mm", "speed_scale_rad_s", "exponent"]
+NOT_NEGATIVE = ["viscous_friction_nms_rad", "contact_force_n", "contact_offset_n", "engagement",
+                "viscous_friction_ns_m", "screw_pitch_m", "viscous_gain_nms", "edge_force_n", "chip_force_n_mm",
+                "radius_m", "noise", "lsb"]
+REQUIRED = ["torque_constant_nm_a", "back_emf_constant_vs_rad", "resistance_ohm", "inductance_h", "inertia_kgm2",
+            "mass_kg", "diameter_mm", "teeth", "chip_load_mm", "form", "edge_force_n", "chip_force_n_mm", "radius_m",
+            "reference_degc", "melting_degc", "exponent", "rate_hz", "noise"]
+
+
+def line_of(key):
+    return 1 + [line.split(" =")[0] for line in GOOD.splitlines()].index(key)
+
+
+def with_value(key, value):
+    lines = GOOD.splitlines()
+    lines[line_of(key) - 1] = f"{key} = {value}"
+    return "\n".join(lines)
+
+
+def without(key):
+    lines = GOOD.splitlines()
+    del lines[line_of(key) - 1]
+    return "\n".join(lines)
+
+
+def wrong(key, value, *said):
+    return with_value(key, value), f"line {line_of(key)}, column {len(key) + 4}", key, *said
+
+
+def misspelt(key, name):
+    return GOOD.replace(f"\n{key} =", f"\n{name} =", 1), f"line {line_of(key)}, column 1", f"'{name}'", f"'{key}'"
+
+
+CORPUS = {
+    **{f"{key} = 0": wrong(key, 0, "impossible") for key in POSITIVE},
+    **{f"{key} = -1": wrong(key, -1, "impossible") for key in POSITIVE + NOT_NEGATIVE},
+    **{f"{key} is text": wrong(key, '"much"', "no number") for key in POSITIVE + NOT_NEGATIVE},
+    **{f"{key} is no value": wrong(key, "nan", "not finite") for key in POSITIVE[:4] + NOT_NEGATIVE[:4]},
+    **{f"{key} is infinite": wrong(key, "inf", "not finite") for key in POSITIVE[:4] + NOT_NEGATIVE[:4]},
+    **{f"no {key}": (without(key), "line ", f"'{key}'") for key in REQUIRED},
+    "cold melting point": wrong("melting_degc", 300, "impossible", "400"),
+    "half a tooth": wrong("teeth", 3.5, "whole"),
+    "thick chip": wrong("chip_load_mm", 0.5, "outside", "0.02 .. 0.1175"),
+    "thin chip": wrong("chip_load_mm", 0.001, "outside"),
+    "slow sampling": wrong("rate_hz", 10, "100 .. 20000"),
+    "fast sampling": wrong("rate_hz", 1e6, "100 .. 20000"),
+    "unknown form": wrong("form", '"thesys"', "consistent"),
+    "form is a number": wrong("form", 1, "consistent"),
+    "name is a number": wrong("name", 1, "no text"),
+    "exact sensor": wrong("noise", 0, "no sensor is exact"),
+    "misspelt resistance": misspelt("resistance_ohm", "resistence_ohm"),
+    "forgotten unit": misspelt("mass_kg", "mass"),
+    "misspelt teeth": misspelt("teeth", "teath"),
+    "misspelt noise": misspelt("noise", "nois"),
+    "unknown key": (GOOD.replace("mass_kg", "colour"), "line 11, column 1", "'colour'"),
+    "unknown table": (GOOD + "[spindel]\n", "line 42", "'spindel'", "'spindle'"),
+    "unknown sensor": (GOOD + "[sensors.speed]\nnoise = 1\n", "line 42", "'speed'"),
+    "sensor of an input": (GOOD + "[sensors.feed_force_n]\nnoise = 1\n", "line 42", "'feed_force_n'"),
+    "table is a number": ("spindle = 3\n", "line 1", "no table"),
+    "sensor is a number": (GOOD.replace("[sensors.armature_current_a]\nnoise", "[sensors]\narmature_current_a"), "line 41",
+                           "no table"),
+    "contact without tool": (GOOD.replace("[tool]\ndiameter_mm = 10\nteeth = 4\nchip_load_mm = 0.05\n", ""), "[tool]"),
+    "no axis": ('[machine]\nname = "nothing"\n', "[spindle]", "[feed]"),
+    "empty file": ("", "[spindle]"),
+    "open bracket": (GOOD + "[thermal2\n", "line 42", "TOML"),
+    "open text": ('[machine]\nname = "mill\n', "line 2", "TOML"),
+    "no value": ("[feed]\nmass_kg =\n", "line 2", "TOML"),
+    "decimal comma": ("[feed]\nmass_kg = 3,5\n", "line 2", "TOML"),
+    "unit behind the value": ("[feed]\nmass_kg = 3 kg\n", "line 2", "TOML"),
+    "key twice": ("[feed]\nmass_kg = 3\nmass_kg = 4\n", "line 3", "TOML"),
+    "table twice": ("[feed]\nmass_kg = 3\n[feed]\nmass_kg = 3\n", "line 3", "TOML"),
+    "binary": (bytes([0, 1, 2, 255, 254]), "line 1", "TOML"),
+    "CSV": ("time_s,contact\n0,1\n", "line 1", "TOML"),
+}
+
+
+class BadMachineFile(ProgramTest):
+    def test_the_corpus_holds_a_hundred_files(self):
+        self.assertGreaterEqual(len(CORPUS), 100)
+
+    def test_the_machine_that_the_corpus_damages_is_good(self):
+        self.must_do("config", "--machine", self.write("good.toml", GOOD))
+
+    def test_every_one_is_refused_with_its_place(self):
+        for name, (content, *said) in CORPUS.items():
+            with self.subTest(name):
+                machine = self.write("bad.toml", content)
+                sentence = self.must_refuse(1, "config", "--machine", machine, "--out", "out.toml")
+                for words in ("bad.toml", *said):
+                    self.assertIn(words, sentence)
+                self.assertEqual(self.files(), ["bad.toml"])
+
+    def test_a_missing_file_is_refused(self):
+        self.assertIn("No such file", self.must_refuse(1, "config", "--machine", "./nothing.toml"))
+
+    def test_an_unknown_machine_is_wrong_usage_with_a_suggestion(self):
+        self.assertIn("'thesis'", self.must_refuse(2, "config", "--machine", "thesys"))
+
+    def test_without_a_contact_law_a_spindle_in_contact_is_refused(self):
+        machine = self.write("spindle.toml", GOOD[GOOD.index("[spindle]"):GOOD.index("[feed]")])
+        recording = self.write("cut.csv", "time_s,armature_voltage_v,contact,spindle_speed_rad_s\n" +
+                               "".join(f"{k * 0.0001:.4f},48,1,500\n" for k in range(5)))
+        self.assertIn("[contact]", self.must_refuse(1, "replay", recording, "--machine", machine))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,124 @@
+"""The main job: a simulated recording goes in, chip load and health come out."""
+
+import json
+import unittest
+
+from program import ProgramTest
+
+REPLAY_KEYS = {"schema", "frames", "chip_load_mm", "bank", "parameters", "health", "timing"}
+
+
+class SimulateAndReplay(ProgramTest):
+    def replay(self, *arguments):
+        return json.loads(self.must_do("replay", *arguments, "--json", "-").stdout)
+
+    def test_the_chip_load_after_the_change_is_found(self):
+        # Two steps of the continuous estimate's own standard error, and never a neighbouring hypothesis.
+        for machine, chip_load_mm, selected in (("reference", 0.04, 2), ("thesis", 0.3, 2)):
+            with self.subTest(machine):
+                self.must_do("simulate", "--machine", machine, "--duration", "2", "--out", "run.csv")
+                result = self.replay("run.csv")
+                self.assertEqual(result["machine"], machine)
+                self.assertEqual(result["frames"]["accepted"], 20000)
+                self.assertEqual(result["chip_load_mm"]["state"], "valid")
+                self.assertAlmostEqual(result["chip_load_mm"]["estimate"], chip_load_mm,
+                                       delta=4 * result["chip_load_mm"]["standard_error"])
+                self.assertEqual(result["bank"]["selected"], selected)
+                self.assertEqual(result["health"]["state"], "HEALTHY")
+
+    def test_json_has_the_keys_of_the_contract(self):
+        self.must_do("simulate", "--duration", "0.5", "--out", "run.csv")
+        result = self.replay("run.csv")
+        self.assertLessEqual(REPLAY_KEYS, set(result))
+        self.assertLessEqual({"accepted", "rejected", "missing", "reasons"}, set(result["frames"]))
+        self.assertLessEqual({"estimate", "standard_error", "state"}, set(result["chip_load_mm"]))
+        self.assertLessEqual({"hypotheses_mm", "probability", "selected", "rule"}, set(result["bank"]))
+        self.assertLessEqual({"state", "reason"}, set(result["health"]))
+        self.assertAlmostEqual(sum(result["bank"]["probability"]), 1.0, delta=1e-5)
+        for entry in result["parameters"]:
+            self.assertLessEqual({"name", "datasheet", "refit", "standard_error", "identifiable", "reason"}, set(entry))
+
+    def test_a_seed_gives_the_same_file_and_another_seed_another(self):
+        for name, seed in (("a.csv", 7), ("b.csv", 7), ("c.csv", 8)):
+            self.must_do("simulate", "--duration", "0.1", "--seed", seed, "--out", name)
+        a, b, c = ((self.folder / f"{name}.csv").read_text() for name in "abc")
+        self.assertEqual(a, b)
+        self.assertNotEqual(a.replace("seed: 7", ""), c.replace("seed: 8", ""))
+
+    def test_csv_on_standard_output_is_the_csv_of_the_file(self):
+        text = self.must_do("simulate", "--duration", "0.1", "--out", "-").stdout
+        self.must_do("simulate", "--duration", "0.1", "--out", "run.csv")
+        self.assertEqual(text, (self.folder / "run.csv").read_text())
+
+    def test_csv_and_native_recording_give_the_same_answers(self):
+        self.must_do("simulate", "--duration", "0.5", "--out", "run.csv")
+        self.must_do("convert", "run.csv", "run.mrec")
+        self.must_do("convert", "run.mrec", "back.csv")
+        self.assertEqual((self.folder / "run.csv").read_text(), (self.folder / "back.csv").read_text())
+        for name in ("run.csv", "run.mrec"):
+            self.must_do("replay", name, "--health-out", name + ".answers")
+        self.assertEqual((self.folder / "run.csv.answers").read_bytes(), (self.folder / "run.mrec.answers").read_bytes())
+
+    def test_missing_rows_are_missing_frames(self):
+        self.must_do("simulate", "--duration", "0.2", "--out", "run.csv")
+        lines = (self.folder / "run.csv").read_text().splitlines()
+        del lines[1000:1003], lines[1500]
+        self.write("gaps.csv", "\n".join(lines) + "\n")
+        result = self.replay("gaps.csv")
+        self.assertEqual(result["recording"]["missing_rows"], 4)
+        self.assertEqual(result["frames"]["missing"], 4)
+
+    def test_values_that_are_no_measurement_are_rejected_with_their_reason(self):
+        self.must_do("simulate", "--duration", "0.2", "--out", "run.csv")
+        lines = (self.folder / "run.csv").read_text().splitlines()
+        column = lines[5].split(",").index("spindle_speed_rad_s")
+        for row, text in ((1000, "inf"), (1001, "-inf"), (1100, "1e30"), (1101, "25000"), (1200, "nan"), (1201, "")):
+            fields = lines[row].split(",")
+            fields[column] = text
+            lines[row] = ",".join(fields)
+        self.write("odd.csv", "\n".join(lines) + "\n")
+        result = self.replay("odd.csv")
+        self.assertEqual(result["frames"]["reasons"]["not_finite"], 2)
+        self.assertEqual(result["frames"]["reasons"]["out_of_range"], 2)
+        self.assertEqual(result["frames"]["accepted"], 2000)
+
+    def test_the_datasheet_is_wrong_by_the_fraction(self):
+        self.must_do("simulate", "--duration", "0.01", "--datasheet-error", "0.1", "--machine-out", "sheet.toml",
+                     "--out", "run.csv")
+        true = self.must_do("config").stdout.splitlines()
+        sheet = self.must_do("config", "--machine", "sheet.toml").stdout.splitlines()
+        off = {a.split(" = ")[0]: float(b.split(" = ")[1]) / float(a.split(" = ")[1])
+               for a, b in zip(true, sheet) if a != b and not a.startswith("#")}
+        self.assertEqual(len(off), 9)
+        for ratio in off.values():
+            self.assertAlmostEqual(abs(ratio - 1), 0.1, places=9)
+
+    def test_a_machine_file_of_the_reference_machine_is_the_reference_machine(self):
+        self.must_do("simulate", "--duration", "1", "--machine-out", "machine.toml", "--out", "run.csv")
+        built_in, described = self.replay("run.csv"), self.replay("run.csv", "--machine", "machine.toml")
+        self.assertEqual(built_in["bank"]["hypotheses_mm"], described["bank"]["hypotheses_mm"])
+        self.assertEqual(built_in["bank"]["selected"], described["bank"]["selected"])
+
+    def test_every_rule_can_be_chosen(self):
+        self.must_do("simulate", "--duration", "1", "--out", "run.csv")
+        for rule in ("markov", "bayesian", "thesis"):
+            self.assertEqual(self.replay("run.csv", "--rule", rule)["bank"]["rule"], rule)
+
+    def test_without_contact_nothing_is_selected(self):
+        self.must_do("simulate", "--duration", "0.2", "--out", "run.csv")
+        lines = (self.folder / "run.csv").read_text().splitlines()
+        self.write("air.csv", "\n".join(lines[:300]) + "\n")
+        result = self.replay("air.csv")
+        self.assertEqual(result["chip_load_mm"], {"estimate": None, "standard_error": None, "state": "undetermined"})
+        self.assertEqual(result["health"]["state"], "NOT_ENOUGH_DATA")
+
+    def test_a_frame_table_has_one_row_per_frame(self):
+        self.must_do("simulate", "--duration", "0.2", "--out", "run.csv")
+        self.must_do("replay", "run.csv", "--out", "frames.csv")
+        rows = (self.folder / "frames.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 2001)
+        self.assertTrue(all(row.count(",") == rows[0].count(",") for row in rows))
+
+
+if __name__ == "__main__":
+    unittest.main()
