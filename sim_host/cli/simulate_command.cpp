@@ -102,7 +102,9 @@ void add_simulate(CLI::App& program) {
       ->check(between(0.0, 0.9, ""))
       ->capture_default_str();
   command->add_option("--machine-out", arguments->machine_out, "write the machine's datasheet (TOML)");
-  command->add_option("--seed", arguments->seed, "of noise and dither")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "of noise and dither")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command
       ->add_option("--out", arguments->out, "recording to write, .csv or .mrec; '-': CSV on standard output")
       ->required();

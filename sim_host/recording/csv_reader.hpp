@@ -12,7 +12,7 @@ namespace morepro::host {
 
 /// Reads a CSV recording row by row, without allocating per row.
 /// A frame's sequence number counts the rows that the sampling rate lets expect, so that missing rows show as
-/// missing frames. Absent values stay as they were in the frame; only `present` says what was measured.
+/// missing frames.
 class CsvReader {
  public:
   /// Reads the header and infers the sampling rate: that of the median of the first 10,000 time steps.

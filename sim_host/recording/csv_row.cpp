@@ -124,7 +124,7 @@ class RowParser {
 
 std::size_t parse_csv_row(const CsvHeader& header, std::string_view text, std::size_t offset,
                           std::size_t line, CsvRow& row) {
-  row.frame.present = 0;
+  row.frame = SensorFrame{};
   RowParser parser(header, {text.data() + offset, text.data() + text.size()}, line);
   return static_cast<std::size_t>(parser.parse(row) - text.data());
 }

@@ -13,6 +13,8 @@ FUNCTION = re.compile(r"^([0-9a-f]+) <([^>]+)>:$")
 BRANCH = re.compile(r"\t(bl|blx|b|b\.n|b\.w|b[a-z]{2}(?:\.[nw])?)\t[0-9a-f]+ <([^>+]+)>$")
 INDIRECT = re.compile(r"\tblx\tr\d+|\tbx\tr(?!14)\d+")
 NODE = re.compile(r'^node: \{ title: "(?:[^"]*:)?([^":]+)" label: ".*\\n(\d+) bytes \((static|dynamic[^)]*)\)')
+# Call what comes before and after main(): constructors and destructors of static objects, not below main's path.
+AROUND_MAIN = ("__libc_init_array", "__libc_fini_array")
 REGISTERS = re.compile(r"\{([^}]*)\}")
 
 
@@ -85,7 +87,7 @@ def depth(functions, name, path=()):
     if name in path:
         raise SystemExit("recursion: " + " -> ".join((*path[path.index(name):], name)))
     function = functions[name]
-    if function.is_indirect:
+    if function.is_indirect and name not in AROUND_MAIN:
         raise SystemExit(f"{name} calls through a pointer")
     if not hasattr(function, "deepest"):
         deepest = max((depth(functions, call, (*path, name)) for call in sorted(function.calls)), default=(0, []))

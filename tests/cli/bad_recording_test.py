@@ -47,7 +47,7 @@ STRUCTURE = {
     "html": ("<html><body>\n<p>no</p>\n", "'time_s'"),
     "second header": (with_row(HEADER.strip()), "line 5, column 1", "not a number"),
     "blank line inside": (GOOD + "\n0.0010,48,0,500,1\n", "line 5", "1 fields"),
-    "comment inside": (with_row("# stop"), "line 5", "not a number"),
+    "comment inside": (with_row("# stop"), "line 5", "1 fields"),
     "cut in the middle of a row": (GOOD + "0.0003,48,0", "line 5", "3 fields", "5"),
     "cut behind a comma": (GOOD + "0.0003,", "line 5", "2 fields"),
 }
