@@ -80,14 +80,15 @@ class SpindleParameterFilter {
     const Matrix phi = held_response(a);
     const Matrix f = (a * phi).plus_identity();
     const Values from_speed{kt * i_ * per_inertia, -dw, Real(0), Real(0), Real(0)};
-    const Values from_current{Real(0), Real(0), -di, -resistance * i_ * per_inductance,
-                              -kv * w_ * per_inductance};
+    const Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
+    const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * covariance_.variance(1);
+    const Values from_current{Real(0), Real(0), current_moves ? -di : Real(0),
+                              -resistance * i_ * per_inductance, -kv * w_ * per_inductance};
     std::array<Values, 2> g;
     for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
       g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
       g[1][j] = phi.a10 * from_speed[j] + phi.a11 * from_current[j];
     }
-    const Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
     covariance_.predict(
         {{{f.a00, f.a01}, {f.a10, f.a11}}}, g,
         {Real(kProcessShare) * speed_variance + curvature(w_change, known_[0] + known_[1]),
@@ -118,6 +119,11 @@ class SpindleParameterFilter {
 
   /// Process noise of w and i per step, as a share of one measurement's variance.
   static constexpr double kProcessShare = 0.01;
+
+  /// The inductance learns only from changes of the current that are so many standard deviations of its
+  /// estimate: a regressor that is nothing but noise pumps its parameter in one direction, and claims to know
+  /// it.
+  static constexpr double kMoves = 10.0;
 
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
   static constexpr double kKnown = 1.0 / 36.0;

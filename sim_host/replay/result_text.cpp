@@ -11,7 +11,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::size_t kMostChangesShown = 12;
+constexpr std::uint64_t kMostChangesShown = 12;
+constexpr double kShortestShownS = 0.02;
 
 std::string line(std::string_view title, std::string_view content) {
   return fmt::format("{:<12}{}\n", title, content);
@@ -60,14 +61,23 @@ std::string timeline_line(const ReplayResult& r, const TimelineEntry& entry) {
   return fmt::format("{}, {}", text, text_of(static_cast<ReasonCode>(entry.reason)).name);
 }
 
+// Decisions that are taken back within a few samples would hide the ones that last.
+bool is_shown(const ReplayResult& r, std::size_t index) {
+  return index + 1 == r.timeline.size() ||
+         r.timeline[index + 1].time_s - r.timeline[index].time_s >= kShortestShownS;
+}
+
 std::string timeline_lines(const ReplayResult& r) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(kMostChangesShown, r.timeline.size()); ++i) {
-    text += line(i == 0 ? "Over time" : "", timeline_line(r, r.timeline[i]));
+  std::uint64_t shown = 0;
+  for (std::size_t i = 0; i < r.timeline.size() && shown < kMostChangesShown; ++i) {
+    if (!is_shown(r, i)) continue;
+    text += line(shown++ == 0 ? "Over time" : "", timeline_line(r, r.timeline[i]));
   }
-  if (r.timeline_changes > kMostChangesShown) {
-    text += line("", fmt::format("... and {} more changes; --out FILE.csv has every frame",
-                                 r.timeline_changes - kMostChangesShown));
+  if (r.timeline_changes > shown) {
+    text +=
+        line("", fmt::format("and {} more changes, the short ones among them; --out FILE.csv has every frame",
+                             r.timeline_changes - shown));
   }
   return text;
 }

@@ -33,14 +33,17 @@ void measure() { measurement = next_measurement(); }
 template <std::size_t kN>
 std::array<float, kN> chip_loads() {
   std::array<float, kN> lanes;
-  for (std::size_t j = 0; j < kN; ++j) lanes[j] = 0.02F + 0.09F * static_cast<float>(j) / static_cast<float>(kN);
+  for (std::size_t j = 0; j < kN; ++j)
+    lanes[j] = 0.02F + 0.09F * static_cast<float>(j) / static_cast<float>(kN);
   return lanes;
 }
 
 /// Bank and the feed speed's filter, which is common to all hypotheses: the three-state filter of the bank.
 template <std::size_t kN>
 struct CountedBank {
-  Bank<float, kN> bank{reference_machine(), make_spindle_step<float>(reference_machine().spindle, kPeriod_s), chip_loads<kN>(),
+  Bank<float, kN> bank{reference_machine(),
+                       make_spindle_step<float>(reference_machine().spindle, kPeriod_s),
+                       chip_loads<kN>(),
                        {4.0e-4F, 1.0e-4F}};
   FeedFilter<float> feed{reference_machine().feed, kPeriod_s, 1.0e-8F};
   MarkovDecision<float, kN> decision{kN, 1.0e-4F};
@@ -74,7 +77,8 @@ void step_feed() {
 }
 
 void step_chip_load() {
-  static ChipLoadFilter<float> filter(reference_machine(), make_spindle_step<float>(reference_machine().spindle, kPeriod_s),
+  static ChipLoadFilter<float> filter(reference_machine(),
+                                      make_spindle_step<float>(reference_machine().spindle, kPeriod_s),
                                       {0.065F, 0.05F, 0.0F, 0.22F, 5.0e-5F}, 4.0e-4F, 1.0e-4F);
   filter.predict(kCutting);
   keep(filter.update(measurement));
