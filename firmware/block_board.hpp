@@ -69,7 +69,7 @@ class BlockBoard {
   std::size_t load(std::span<std::uint8_t> buffer) {
     if (stored_ == 0 && !configuration_read_) {
       configuration_read_ = true;
-      stored_ = link_.read_configuration(record_, kEveryRecord);
+      stored_ = link_.read_configuration(record_, kEveryRecord, [] {});
     }
     if (stored_ > buffer.size()) return 0;
     std::copy_n(record_.begin(), stored_, buffer.begin());

@@ -35,9 +35,12 @@ class FrameLink {
   }
 
   /// As Board::load(): the configuration record that comes before the first frame. Asks the source at most
-  /// `polls` times; what comes instead of a configuration is kept for read_frame().
-  std::size_t read_configuration(std::span<std::uint8_t> buffer, std::uint32_t polls) {
+  /// `polls` times and calls `waiting` before each; what comes instead of a configuration is kept for
+  /// read_frame().
+  template <class Waiting>
+  std::size_t read_configuration(std::span<std::uint8_t> buffer, std::uint32_t polls, Waiting waiting) {
     for (std::uint32_t poll = 0; poll < polls && !source_.ended(); ++poll) {
+      waiting();
       const wire::DecodeEvent event = source_.feed(decoder_);
       if (event == wire::DecodeEvent::kNothing || is_preamble()) continue;
       if (const auto* found = std::get_if<MonitorConfiguration>(&decoder_.record()))

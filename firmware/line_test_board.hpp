@@ -20,8 +20,10 @@ class LineTestBoard {
   hal::ReadStatus read_frame(SensorFrame& frame) { return board_.read_line(frame); }
 
   bool send(std::span<const std::uint8_t> message) {
-    for (std::uint32_t poll = 0; poll < kPolls; ++poll)
+    for (std::uint32_t poll = 0; poll < kPolls; ++poll) {
       if (board_.send(message)) return true;
+      board_.kick_watchdog();
+    }
     return false;
   }
 
@@ -30,7 +32,7 @@ class LineTestBoard {
     const wire::Ready ready{.reset_cause = static_cast<std::uint8_t>(board_.reset_cause())};
     const std::size_t size = wire::encode(ready, buffer);
     (void)send(buffer.first(size));
-    return board_.frames().read_configuration(buffer, kPolls);
+    return board_.frames().read_configuration(buffer, kPolls, [this] { board_.kick_watchdog(); });
   }
 
   bool store(std::span<const std::uint8_t> record) { return board_.store(record); }

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "lib/wire/decoder.hpp"
 
@@ -12,9 +14,10 @@ class RingSource {
   explicit RingSource(Link& link) : link_(link) {}
 
   wire::DecodeEvent feed(wire::Decoder& decoder) {
-    std::uint8_t byte = 0;
-    while (link_.read(byte)) {
-      const wire::DecodeEvent event = decoder.push(byte);
+    for (std::span<const std::uint8_t> bytes = link_.received(); !bytes.empty(); bytes = link_.received()) {
+      const std::size_t available = bytes.size();
+      const wire::DecodeEvent event = decoder.next(bytes);
+      link_.drop(available - bytes.size());
       if (event != wire::DecodeEvent::kNothing) return event;
     }
     return wire::DecodeEvent::kNothing;

@@ -22,14 +22,16 @@ class UartLink {
   void on_interrupt() {
     if (Uart::take_overrun()) overruns_ = overruns_ + 1;
     receive();
-    transmit();
+    if (!to_send_.empty()) transmit();
   }
 
-  /// The next received byte; false: none.
-  bool read(std::uint8_t& byte) {
-    const bool any = received_.pop(byte);
+  /// Received bytes that lie side by side; empty: none.
+  [[nodiscard]] std::span<const std::uint8_t> received() const { return received_.front(); }
+
+  /// `count` bytes of received() are done with.
+  void drop(std::size_t count) {
+    received_.drop(count);
     if (holding_ && received_.below_low_water()) release();
-    return any;
   }
 
   [[nodiscard]] bool has_received() const { return !received_.empty(); }
@@ -56,8 +58,13 @@ class UartLink {
 
  private:
   void receive() {
-    while (!received_.above_high_water() && Uart::received()) received_.push(Uart::take());
-    if (!received_.above_high_water()) return;
+    while (Uart::received()) {
+      if (received_.above_high_water()) return hold();
+      received_.push(Uart::take());
+    }
+  }
+
+  void hold() {
     holding_ = true;
     Uart::receive_interrupt(false);
   }

@@ -1,9 +1,10 @@
+#include "tests/target/count/count.hpp"
+
 #include <array>
 
 #include "firmware/boards/almec/f405_registers.hpp"
 #include "firmware/boards/cortex_m/mmio.hpp"
 #include "firmware/semihosting/semihost.hpp"
-#include "tests/target/count/count.hpp"
 
 namespace morepro::count {
 namespace {
@@ -61,7 +62,8 @@ const char* recording() { return arguments.data(); }
 
 }  // namespace morepro::count
 
-/// Prints `name mean most`: instructions per call of every entry. Argument: a recording. No interrupt is enabled.
+/// Prints `name mean most`: instructions per call of every entry. Argument: a recording. No interrupt is
+/// enabled.
 int main() {
   using namespace morepro;
   if (!firmware::semihost::command_line(count::arguments)) firmware::semihost::exit(2);

@@ -56,12 +56,10 @@ class Bank {
     repair_and_recentre(y);
     const bool exact = !choose_local(input.contact);
     if (exact) {
-      evaluate_law(input.tool_temperature_degc);
+      evaluate_law(input.thermal_factor);
       filter(ExactTorque{torque_, slope_}, input, y, input.contact);
     } else {
-      const Real load = input.contact > Real(0)
-                            ? input.contact * law_.thermal_factor(input.tool_temperature_degc)
-                            : Real(0);
+      const Real load = input.contact * input.thermal_factor;
       filter(CubicTorque{local_.c0(), local_.c1(), local_.c2(), local_.c3()}, input, y, load);
     }
   }
@@ -153,8 +151,7 @@ class Bank {
     return is_local_;
   }
 
-  void evaluate_law(Real tool_temperature_degc) {
-    const Real factor = law_.thermal_factor(tool_temperature_degc);
+  void evaluate_law(Real factor) {
     for (std::size_t j = 0; j < kN; ++j) {
       const auto contact = law_.at_thermal_factor(centre_ + d_[j], chip_load_mm_[j], factor);
       torque_[j] = contact.torque_nm;

@@ -98,8 +98,8 @@ class ChipLoadFilter {
   /// freedom as channels are measured.
   Real update(const SpindleMeasurement<Real>& y) {
     Real nis{};
-    if (y.has_speed()) nis += update_one(kSpeed, y.speed_rad_s - w_, y.speed_variance);
-    if (y.has_current()) nis += update_one(kCurrent, y.current_a - i_, y.current_variance);
+    if (y.has_speed()) nis += update_one<kSpeed>(y.speed_rad_s - w_, y.speed_variance);
+    if (y.has_current()) nis += update_one<kCurrent>(y.current_a - i_, y.current_variance);
     chip_load_ = std::clamp(chip_load_, prior_.lowest_mm, prior_.highest_mm);
     return nis;
   }
@@ -118,7 +118,7 @@ class ChipLoadFilter {
   Real prior_variance() const { return prior_.standard_deviation_mm * prior_.standard_deviation_mm; }
 
   ContactTorque<Real> torque(const SpindleInput<Real>& input) const {
-    return input.contact > Real(0) ? law_(w_, chip_load_, input.tool_temperature_degc)
+    return input.contact > Real(0) ? law_.at_thermal_factor(w_, chip_load_, input.thermal_factor)
                                    : ContactTorque<Real>{};
   }
 
@@ -128,8 +128,9 @@ class ChipLoadFilter {
       covariance_.add_variance(kChipLoad, prior_.drift_mm * prior_.drift_mm);
   }
 
-  Real update_one(std::size_t element, Real innovation, Real variance) {
-    const auto update = covariance_.update(element, variance);
+  template <std::size_t kElement>
+  Real update_one(Real innovation, Real variance) {
+    const auto update = covariance_.template update<kElement>(variance);
     w_ += update.gain[kSpeed] * innovation;
     i_ += update.gain[kCurrent] * innovation;
     chip_load_ += update.gain[kChipLoad] * innovation;

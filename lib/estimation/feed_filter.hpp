@@ -71,9 +71,9 @@ class FeedFilter {
   /// Uses the measurements; returns the normalised innovation squared.
   Real update(const FeedMeasurement<Real>& y) {
     Real nis{};
-    if (y.has_speed()) nis += update_one(kSpeed, y.speed_m_s - v_, y.speed_variance);
+    if (y.has_speed()) nis += update_one<kSpeed>(y.speed_m_s - v_, y.speed_variance);
     if (y.has_position())
-      nis += update_one(kPosition, y.position_m - x_, y.position_variance);
+      nis += update_one<kPosition>(y.position_m - x_, y.position_variance);
     else
       forget_position();
     return nis;
@@ -87,8 +87,9 @@ class FeedFilter {
   using Covariance = UdCovariance<Real, 2>;
   static constexpr std::size_t kPosition = 0, kSpeed = 1;
 
-  Real update_one(std::size_t element, Real innovation, Real variance) {
-    const auto update = covariance_.update(element, variance);
+  template <std::size_t kElement>
+  Real update_one(Real innovation, Real variance) {
+    const auto update = covariance_.template update<kElement>(variance);
     x_ += update.gain[kPosition] * innovation;
     v_ += update.gain[kSpeed] * innovation;
     return innovation * innovation / update.innovation_variance;

@@ -6,8 +6,8 @@ namespace morepro {
 template <class Real>
 struct SpindleInput {
   Real armature_voltage_v{};
-  Real contact{};  ///< 0 or 1
-  Real tool_temperature_degc{};
+  Real contact{};                 ///< 0 or 1
+  Real thermal_factor = Real(1);  ///< th(T) of the contact law, 0..1: one power per frame for all filters
 };
 
 /// So large that an update with it changes nothing to float precision, so small that its square is finite.

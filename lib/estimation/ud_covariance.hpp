@@ -55,24 +55,28 @@ class UdCovariance {
     add_rank_one(unit, j, q);
   }
 
-  /// What a scalar measurement of element h gave: x <- x + gain * innovation.
+  /// What a scalar measurement of one element gave: x <- x + gain * innovation.
   struct Update {
     Vector gain;
     Real innovation_variance;
   };
 
   /// Bierman's update with y = x_h + noise of `variance` > 0.
-  Update update(std::size_t h, Real variance) {
+  template <std::size_t h>
+  Update update(Real variance) {
     Update result{};
     Real alpha = variance;
+    Real inverse = Real(1) / variance;
+#pragma GCC unroll 8
     for (std::size_t j = h; j < kN; ++j) {
       const Real f = u_[h][j];
       const Real v = d_[j] * f;
       const Real before = alpha;
+      const Real lambda = -f * inverse;
       alpha += f * v;
-      const Real inverse = Real(1) / alpha;
-      const Real lambda = -f / before;
+      inverse = Real(1) / alpha;
       d_[j] *= before * inverse;
+#pragma GCC unroll 8
       for (std::size_t i = 0; i < j; ++i) {
         const Real u = u_[i][j];
         u_[i][j] = u + lambda * result.gain[i];
@@ -81,7 +85,6 @@ class UdCovariance {
       result.gain[j] = v;
     }
     result.innovation_variance = alpha;
-    const Real inverse = Real(1) / alpha;
     for (std::size_t i = 0; i < kN; ++i) result.gain[i] *= inverse;
     return result;
   }
@@ -110,9 +113,11 @@ class UdCovariance {
  private:
   /// U_sp <- F U_sp + G U_pp: the parameters' rows are already orthogonal, so this is all that couples them.
   void predict_tail(const std::array<std::array<Real, 2>, 2>& f, const std::array<Parameters, 2>& g) {
+#pragma GCC unroll 8
     for (std::size_t j = kDynamic; j < kN; ++j) {
       Real from0 = f[0][0] * u_[0][j] + f[0][1] * u_[1][j];
       Real from1 = f[1][0] * u_[0][j] + f[1][1] * u_[1][j];
+#pragma GCC unroll 8
       for (std::size_t k = kDynamic; k <= j; ++k) {
         from0 += g[0][k - kDynamic] * u_[k][j];
         from1 += g[1][k - kDynamic] * u_[k][j];

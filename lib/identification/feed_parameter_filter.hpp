@@ -62,16 +62,22 @@ class FeedParameterFilter {
         {{{-acceleration * half * h, from_contact * half * h},
           {-acceleration * per_acceleration, from_contact * per_acceleration}}},
         {speed_variance * h * h, speed_variance});
-    drift();
     x_ += h * (v_ + half * acceleration);
     v_ += acceleration * per_acceleration;
+  }
+
+  /// As SpindleParameterFilter::drift.
+  void drift(FeedParameter parameter, Real frames) {
+    const std::size_t j = 2 + index_of(parameter);
+    const Real q = drift_variance_ * frames;
+    if (covariance_.variance(j) + q < Real(kKnown) * start_variance_) covariance_.add_variance(j, q);
   }
 
   /// Uses the measurements; returns the normalised innovation squared.
   Real update(const FeedMeasurement<Real>& y) {
     Real nis{};
-    if (y.has_speed()) nis += update_one(1, y.speed_m_s - v_, y.speed_variance);
-    if (y.has_position()) nis += update_one(0, y.position_m - x_, y.position_variance);
+    if (y.has_speed()) nis += update_one<1>(y.speed_m_s - v_, y.speed_variance);
+    if (y.has_position()) nis += update_one<0>(y.position_m - x_, y.position_variance);
     return nis;
   }
 
@@ -92,15 +98,9 @@ class FeedParameterFilter {
     return static_cast<std::size_t>(parameter);
   }
 
-  void drift() {
-    turn_ = turn_ + 1 < kFeedParameterCount ? turn_ + 1 : 0;
-    const Real q = drift_variance_ * static_cast<Real>(kFeedParameterCount);
-    if (covariance_.variance(2 + turn_) + q < Real(kKnown) * start_variance_)
-      covariance_.add_variance(2 + turn_, q);
-  }
-
-  Real update_one(std::size_t element, Real innovation, Real variance) {
-    const auto update = covariance_.update(element, variance);
+  template <std::size_t kElement>
+  Real update_one(Real innovation, Real variance) {
+    const auto update = covariance_.template update<kElement>(variance);
     x_ += update.gain[0] * innovation;
     v_ += update.gain[1] * innovation;
     for (std::size_t j = 0; j < kFeedParameterCount; ++j)
@@ -116,7 +116,6 @@ class FeedParameterFilter {
   Values datasheet_;
   Values value_{};
   Real x_{}, v_{};
-  std::size_t turn_ = 0;
   Covariance covariance_{{}};
 };
 

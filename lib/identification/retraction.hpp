@@ -9,8 +9,12 @@ namespace morepro {
 /// so that a bad start cannot make it zero, negative or infinite.
 template <class Real>
 Real moved(Real value, Real log_step, Real datasheet) {
-  const Real next = value * math::exp(std::clamp(log_step, Real(-2), Real(2)));
-  return std::clamp(next, datasheet * Real(0.02), datasheet * Real(50));
+  // Nearly every step is small: to third order exp is exact to a rounding.
+  const bool is_small = math::abs(log_step) < Real(0.01);
+  const Real factor =
+      is_small ? Real(1) + log_step * (Real(1) + log_step * (Real(0.5) + log_step * Real(1.0 / 6.0)))
+               : math::exp(std::clamp(log_step, Real(-2), Real(2)));
+  return std::clamp(value * factor, datasheet * Real(0.02), datasheet * Real(50));
 }
 
 }  // namespace morepro

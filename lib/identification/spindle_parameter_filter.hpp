@@ -72,7 +72,7 @@ class SpindleParameterFilter {
     const auto [kt, inertia, inductance, resistance, kv] = value_;
     const Real per_inertia = Real(1) / inertia, per_inductance = Real(1) / inductance;
     const auto contact =
-        input.contact > Real(0) ? law_(w_, chip_load_mm, input.tool_temperature_degc) : ContactTorque<Real>{};
+        input.contact > Real(0) ? law_.at_thermal_factor(w_, chip_load_mm, input.thermal_factor) : ContactTorque<Real>{};
     const Real dw = (kt * i_ - viscous_friction_ * w_ - contact.torque_nm) * per_inertia;
     const Real di = (input.armature_voltage_v - resistance * i_ - kv * w_) * per_inductance;
     const Matrix a{-(viscous_friction_ + contact.per_speed) * per_inertia, kt * per_inertia,
@@ -93,16 +93,28 @@ class SpindleParameterFilter {
         {{{f.a00, f.a01}, {f.a10, f.a11}}}, g,
         {Real(kProcessShare) * speed_variance + curvature(w_change, known_[0] + known_[1]),
          Real(kProcessShare) * current_variance + curvature(i_change, known_[2] + known_[3] + known_[4])});
-    drift();
     w_ += w_change;
     i_ += i_change;
   }
 
+  /// The random walk of one parameter over `frames` frames. A rank-one update costs as much as a measurement,
+  /// so the caller gives one parameter its turn at a time. Nothing is added to a parameter of which little is
+  /// known.
+  void drift(SpindleParameter parameter, Real frames) {
+    const std::size_t j = index_of(parameter);
+    known_[j] = covariance_.variance(2 + j);
+    const Real q = drift_variance_ * frames;
+    if (known_[j] + q < Real(kKnown) * start_variance_) covariance_.add_variance(2 + j, q);
+  }
+
   /// Uses the measurements; returns the normalised innovation squared.
   Real update(const SpindleMeasurement<Real>& y) {
+    Values step{};
     Real nis{};
-    if (y.has_speed()) nis += update_one(0, y.speed_rad_s - w_, y.speed_variance);
-    if (y.has_current()) nis += update_one(1, y.current_a - i_, y.current_variance);
+    if (y.has_speed()) nis += update_one<0>(y.speed_rad_s - w_, y.speed_variance, step);
+    if (y.has_current()) nis += update_one<1>(y.current_a - i_, y.current_variance, step);
+    for (std::size_t j = 0; j < kSpindleParameterCount; ++j)
+      value_[j] = moved(value_[j], step[j], datasheet_[j]);
     return nis;
   }
 
@@ -150,21 +162,12 @@ class SpindleParameterFilter {
     return error * error;
   }
 
-  /// One parameter per frame in turn, with the variance of all the frames between: a rank-one update costs as
-  /// much as a measurement. Nothing is added to a parameter of which nothing is known.
-  void drift() {
-    turn_ = turn_ + 1 < kSpindleParameterCount ? turn_ + 1 : 0;
-    const Real q = drift_variance_ * static_cast<Real>(kSpindleParameterCount);
-    known_[turn_] = covariance_.variance(2 + turn_);
-    if (known_[turn_] + q < Real(kKnown) * start_variance_) covariance_.add_variance(2 + turn_, q);
-  }
-
-  Real update_one(std::size_t element, Real innovation, Real variance) {
-    const auto update = covariance_.update(element, variance);
+  template <std::size_t kElement>
+  Real update_one(Real innovation, Real variance, Values& step) {
+    const auto update = covariance_.template update<kElement>(variance);
     w_ += update.gain[0] * innovation;
     i_ += update.gain[1] * innovation;
-    for (std::size_t j = 0; j < kSpindleParameterCount; ++j)
-      value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
+    for (std::size_t j = 0; j < kSpindleParameterCount; ++j) step[j] += update.gain[2 + j] * innovation;
     return innovation * innovation / update.innovation_variance;
   }
 
@@ -176,8 +179,7 @@ class SpindleParameterFilter {
   Values datasheet_;
   Values value_{};
   Real w_{}, i_{};
-  Values known_{};  ///< relative variance of each parameter, one refreshed per frame
-  std::size_t turn_ = 0;
+  Values known_{};  ///< relative variance of each parameter, refreshed by its drift
   Covariance covariance_{{}};
 };
 

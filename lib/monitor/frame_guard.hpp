@@ -5,15 +5,15 @@
 
 #include "lib/frame/channel.hpp"
 #include "lib/frame/frame_flag.hpp"
+#include "lib/frame/frame_view.hpp"
 #include "lib/frame/sensor_frame.hpp"
-#include "lib/math/elementary.hpp"
 #include "lib/monitor/stuck_detector.hpp"
 
 namespace morepro {
 
 /// What the guard makes of one frame.
 struct GuardedFrame {
-  SensorFrame frame;  ///< without the channels that must not be used
+  FrameView frame;  ///< without the channels that must not be used
   bool is_accepted = false;
   bool is_restart = false;     ///< the gap before it is too long to predict: the state starts again
   std::uint32_t periods = 0;   ///< sampling periods since the last accepted frame; 0 for the first one
@@ -33,7 +33,7 @@ class FrameGuard {
   explicit FrameGuard(double rate_hz) : period_us_(static_cast<float>(1.0e6 / rate_hz)) {}
 
   GuardedFrame check(const SensorFrame& frame) {
-    GuardedFrame result{.frame = frame};
+    GuardedFrame result{.frame = {frame, frame.present}};
     if (!has_last_)
       accept_first(result);
     else if (!is_in_order(result))
@@ -57,8 +57,8 @@ class FrameGuard {
   static void accept_first(GuardedFrame& result) { result.is_restart = true; }
 
   bool is_in_order(GuardedFrame& result) {
-    const auto ahead = static_cast<std::int32_t>(result.frame.sequence - last_sequence_);
-    const auto later_us = static_cast<std::int32_t>(result.frame.time_us - last_time_us_);
+    const auto ahead = static_cast<std::int32_t>(result.frame.frame.sequence - last_sequence_);
+    const auto later_us = static_cast<std::int32_t>(result.frame.frame.time_us - last_time_us_);
     if (ahead == 0) return refuse(result, FrameFlag::kDuplicate);
     if (ahead > 0 && later_us > 0) return true;
     if (++frames_behind_ < kSenderRestarted) return refuse(result, FrameFlag::kOld);
@@ -74,8 +74,8 @@ class FrameGuard {
 
   void measure_gap(GuardedFrame& result) const {
     if (result.is_restart) return;
-    const float elapsed = static_cast<float>(result.frame.time_us - last_time_us_) / period_us_;
-    const std::uint32_t by_sequence = result.frame.sequence - last_sequence_;
+    const float elapsed = static_cast<float>(result.frame.frame.time_us - last_time_us_) / period_us_;
+    const std::uint32_t by_sequence = result.frame.frame.sequence - last_sequence_;
     const auto by_time = elapsed < 1.0e6F ? static_cast<std::uint32_t>(elapsed + 0.5F) : 1000000U;
     result.periods = by_time > 0 ? by_time : 1;
     result.missing = (by_sequence > result.periods ? by_sequence : result.periods) - 1;
@@ -91,21 +91,17 @@ class FrameGuard {
 
   static void drop(GuardedFrame& result, std::size_t index, FrameFlag flag) {
     const auto bit = static_cast<std::uint16_t>(1U << index);
-    result.frame.present = static_cast<std::uint16_t>(result.frame.present & ~bit);
+    result.frame.usable = static_cast<std::uint16_t>(result.frame.usable & ~bit);
     result.rejected = static_cast<std::uint16_t>(result.rejected | bit);
     mark(result, flag);
   }
 
   static void check_values(GuardedFrame& result) {
-    for (std::size_t i = 0; i < kChannelCount; ++i) {
-      if ((result.frame.present & (1U << i)) == 0) continue;
-      const float value = result.frame.value[i];
+    result.frame.for_each([&result](std::size_t i, float value) {
+      if (value >= kChannels[i].lowest && value <= kChannels[i].highest) return;
       const bool is_number = value - value == 0.0F;
-      if (!is_number)
-        drop(result, i, FrameFlag::kNotFinite);
-      else if (!(value >= kChannels[i].lowest && value <= kChannels[i].highest))
-        drop(result, i, FrameFlag::kOutOfRange);
-    }
+      drop(result, i, is_number ? FrameFlag::kOutOfRange : FrameFlag::kNotFinite);
+    });
   }
 
   /// A machine without drive that reads exactly zero stands still; that is no fault.

@@ -5,7 +5,8 @@
 
 #include "lib/estimation/feed_filter.hpp"
 #include "lib/estimation/spindle_signals.hpp"
-#include "lib/frame/sensor_frame.hpp"
+#include "lib/frame/frame_view.hpp"
+#include "lib/plant/contact_law.hpp"
 #include "lib/plant/machine_parameters.hpp"
 
 namespace morepro {
@@ -15,17 +16,19 @@ namespace morepro {
 /// is unknown (voltage, force).
 class HeldInputs {
  public:
-  explicit HeldInputs(const MachineParameters& machine) {
+  explicit HeldInputs(const MachineParameters& machine) : law_(machine) {
     value_[index_of(Channel::kEngagement)] = static_cast<float>(machine.feed.engagement);
     value_[index_of(Channel::kToolTemperature)] = static_cast<float>(machine.thermal.tool_degc);
     value_[index_of(Channel::kChipLoad)] = static_cast<float>(machine.tool.chip_load_mm);
+    thermal_factor_ = law_.thermal_factor(get(Channel::kToolTemperature));
   }
 
-  void take(const SensorFrame& frame) {
-    for (std::size_t i = 0; i < kChannelCount; ++i) {
-      if ((frame.present & (1U << i)) != 0) value_[i] = frame.value[i];
-    }
-    known_ = static_cast<std::uint16_t>(known_ | frame.present);
+  void take(const FrameView& frame) {
+    const float temperature_degc = get(Channel::kToolTemperature);
+    frame.for_each([this](std::size_t i, float value) { value_[i] = value; });
+    known_ = static_cast<std::uint16_t>(known_ | frame.usable);
+    if (!(get(Channel::kToolTemperature) == temperature_degc))
+      thermal_factor_ = law_.thermal_factor(get(Channel::kToolTemperature));
   }
 
   [[nodiscard]] bool knows(Channel channel) const { return (known_ & bit_of(channel)) != 0; }
@@ -33,7 +36,7 @@ class HeldInputs {
   [[nodiscard]] bool is_in_contact() const { return get(Channel::kContact) > 0.5F; }
 
   [[nodiscard]] SpindleInput<float> spindle() const {
-    return {get(Channel::kArmatureVoltage), is_in_contact() ? 1.0F : 0.0F, get(Channel::kToolTemperature)};
+    return {get(Channel::kArmatureVoltage), is_in_contact() ? 1.0F : 0.0F, thermal_factor_};
   }
   [[nodiscard]] FeedInput<float> feed() const {
     return {get(Channel::kFeedForce), is_in_contact() ? 1.0F : 0.0F, get(Channel::kEngagement)};
@@ -42,6 +45,8 @@ class HeldInputs {
  private:
   std::array<float, kChannelCount> value_{};
   std::uint16_t known_ = 0;
+  ContactLaw<float> law_;
+  float thermal_factor_ = 1.0F;
 };
 
 }  // namespace morepro

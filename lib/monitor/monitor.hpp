@@ -119,7 +119,7 @@ class Monitor {
 
   void process(const GuardedFrame& seen) {
     auto& e = estimators_;
-    const SensorFrame& frame = seen.frame;
+    const FrameView& frame = seen.frame;
     auto spindle = spindle_measurement(frame);
     auto feed = feed_measurement(frame);
     if (seen.is_restart) {
@@ -135,7 +135,7 @@ class Monitor {
     write_health();
   }
 
-  SpindleMeasurement<float> spindle_measurement(const SensorFrame& frame) const {
+  SpindleMeasurement<float> spindle_measurement(const FrameView& frame) const {
     const bool speed = frame.has(Channel::kSpindleSpeed), current = frame.has(Channel::kArmatureCurrent);
     return {speed ? frame.get(Channel::kSpindleSpeed) : 0.0F,
             current ? frame.get(Channel::kArmatureCurrent) : 0.0F,
@@ -143,7 +143,7 @@ class Monitor {
             current ? estimators_.current_variance : kUnmeasured};
   }
 
-  FeedMeasurement<float> feed_measurement(const SensorFrame& frame) const {
+  FeedMeasurement<float> feed_measurement(const FrameView& frame) const {
     const bool speed = frame.has(Channel::kFeedSpeed), position = frame.has(Channel::kFeedPosition);
     return {speed ? frame.get(Channel::kFeedSpeed) : 0.0F,
             position ? frame.get(Channel::kFeedPosition) : 0.0F,
@@ -165,7 +165,7 @@ class Monitor {
   }
 
   /// Measured, or the difference of the last two measured speeds.
-  float acceleration(const SensorFrame& frame) const {
+  float acceleration(const FrameView& frame) const {
     if (frame.has(Channel::kSpindleAcceleration)) return frame.get(Channel::kSpindleAcceleration);
     return (frame.get(Channel::kSpindleSpeed) - estimators_.last_speed_rad_s) * estimators_.rate_hz;
   }
@@ -228,9 +228,9 @@ class Monitor {
     if ((contact_flags & bits_of(ContactFlag::kCuttingSpeedHigh)) != 0) flag(FrameFlag::kSpeedHigh);
   }
 
-  static std::uint16_t usable(const SensorFrame& frame, const SpindleMeasurement<float>& spindle,
+  static std::uint16_t usable(const FrameView& frame, const SpindleMeasurement<float>& spindle,
                               const FeedMeasurement<float>& feed) {
-    std::uint16_t bits = frame.present;
+    std::uint16_t bits = frame.usable;
     const auto drop = [&bits](bool is_used, Channel channel) {
       if (!is_used) bits = static_cast<std::uint16_t>(bits & ~bit_of(channel));
     };
@@ -242,7 +242,7 @@ class Monitor {
   }
 
   /// The inputs of this frame hold from now on; a new cut or a new command makes the chip load unknown.
-  void hold_inputs(const SensorFrame& frame) {
+  void hold_inputs(const FrameView& frame) {
     auto& e = estimators_;
     const bool was_in_contact = e.held.is_in_contact();
     const float commanded_mm = e.held.get(Channel::kChipLoad);

@@ -46,8 +46,7 @@ class ParameterTracker {
   }
 
   /// One frame of the feed axis; the deviation is that of the feed filter's speed.
-  void step_feed(const HeldInputs& held, const FeedMeasurement<float>& y,
-                 float speed_deviation_m_s) {
+  void step_feed(const HeldInputs& held, const FeedMeasurement<float>& y, float speed_deviation_m_s) {
     const bool is_complete = held.knows(Channel::kFeedForce) && (y.has_speed() || y.has_position());
     if (is_complete) feed_seen_ = true;
     force_rest_.step(held.get(Channel::kFeedForce), kForceBand);
@@ -63,10 +62,14 @@ class ParameterTracker {
     is_feed_running_ = may_run;
   }
 
-  /// Refreshes one parameter per frame in turn: an estimate's variance costs a row of the factorisation.
+  /// What need not be done in every frame, one piece per frame in turn: a report costs rows of the
+  /// factorisation, a random walk a rank-one update.
   void refresh() {
-    turn_ = turn_ + 1 < kParameterCount ? turn_ + 1 : 0;
-    report(static_cast<Parameter>(turn_));
+    turn_ = turn_ + 1 < 2 * kParameterCount ? turn_ + 1 : 0;
+    if (turn_ % 2 == 0)
+      report(static_cast<Parameter>(turn_ / 2));
+    else
+      drift(turn_ / 2);
   }
 
   [[nodiscard]] const std::array<ParameterEstimate, kParameterCount>& estimates() const { return estimates_; }
@@ -93,6 +96,15 @@ class ParameterTracker {
     speed_rest_.step(y.speed_rad_s, math::sqrt(y.speed_variance));
     current_rest_.step(y.current_a, math::sqrt(y.current_variance));
     return !(speed_rest_.is_at_rest() && current_rest_.is_at_rest());
+  }
+
+  void drift(std::size_t turn) {
+    constexpr auto kFrames = static_cast<float>(2 * kParameterCount);
+    if (turn < kSpindleParameterCount) {
+      if (is_spindle_running_) spindle_.drift(static_cast<SpindleParameter>(turn), kFrames);
+    } else if (is_feed_running_) {
+      feed_.drift(static_cast<FeedParameter>(turn - kSpindleParameterCount), kFrames);
+    }
   }
 
   void report(Parameter parameter) {

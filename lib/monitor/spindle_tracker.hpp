@@ -190,11 +190,11 @@ class SpindleTracker {
   /// The thesis's outputs of each filter, angular acceleration and current, against the measured ones.
   void integrate(const Input& input, const Measurement& y, float acceleration_rad_s2) {
     if (!(y.has_speed() && y.has_current())) return;
-    const float factor = law_.thermal_factor(input.tool_temperature_degc);
     Lanes acceleration_error, current_error;
     for (std::size_t j = 0; j < kN; ++j) {
       const float w = bank_.speed_rad_s(j), i = bank_.current_a(j);
-      const float torque = input.contact * law_.at_thermal_factor(w, chip_loads_[j], factor).torque_nm;
+      const float torque =
+          input.contact * law_.at_thermal_factor(w, chip_loads_[j], input.thermal_factor).torque_nm;
       acceleration_error[j] =
           acceleration_rad_s2 -
           (plant_.torque_constant * i - plant_.viscous_friction * w - torque) * plant_.per_inertia;

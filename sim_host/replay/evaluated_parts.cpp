@@ -23,17 +23,20 @@ struct Need {
   std::string_view table;
   std::uint16_t all_of;
   std::uint16_t one_of;
+  ReasonCode objection;  ///< what the monitor says where this part of the model does not fit
 };
 
 constexpr std::array kBalances{
     Need{"spindle torque balance", &MachineDescription::has_spindle, "[spindle]",
-         bits_of({Channel::kSpindleSpeed, Channel::kArmatureCurrent}), 0},
+         bits_of({Channel::kSpindleSpeed, Channel::kArmatureCurrent}), 0, ReasonCode::kNone},
     Need{"armature voltage balance", &MachineDescription::has_spindle, "[spindle]",
-         bits_of({Channel::kArmatureVoltage, Channel::kSpindleSpeed, Channel::kArmatureCurrent}), 0},
+         bits_of({Channel::kArmatureVoltage, Channel::kSpindleSpeed, Channel::kArmatureCurrent}), 0,
+         ReasonCode::kNone},
     Need{"spindle response (both balances in one)", &MachineDescription::has_spindle, "[spindle]",
-         bits_of({Channel::kArmatureVoltage}), bits_of({Channel::kSpindleSpeed, Channel::kArmatureCurrent})},
+         bits_of({Channel::kArmatureVoltage}), bits_of({Channel::kSpindleSpeed, Channel::kArmatureCurrent}),
+         ReasonCode::kModelResidual},
     Need{"feed force balance", &MachineDescription::has_feed, "[feed]", bits_of({Channel::kFeedForce}),
-         bits_of({Channel::kFeedSpeed, Channel::kFeedPosition})},
+         bits_of({Channel::kFeedSpeed, Channel::kFeedPosition}), ReasonCode::kModelFeedResidual},
 };
 
 constexpr std::uint16_t kChipLoadChannels = bits_of(
@@ -53,8 +56,12 @@ std::string missing(const Need& need, std::uint16_t seen) {
   return fmt::format("{}{}{}", names, names.empty() ? "" : ", ", columns(need.one_of, " or "));
 }
 
-EvaluatedPart evaluate(const Need& need, const MachineDescription& machine, std::uint16_t seen) {
-  const std::string absent = missing(need, seen);
+bool has_objection(const Need& need, const Health& health) {
+  return need.objection != ReasonCode::kNone && health.reason == static_cast<std::uint16_t>(need.objection);
+}
+
+EvaluatedPart evaluate(const Need& need, const MachineDescription& machine, const ReplayResult& result) {
+  const std::string absent = missing(need, result.seen);
   EvaluatedPart part{.name = std::string(need.name), .is_evaluated = false, .reason = {}};
   if (!(machine.*need.described)) {
     part.reason = fmt::format("the machine file describes no {}", need.table);
@@ -62,6 +69,7 @@ EvaluatedPart evaluate(const Need& need, const MachineDescription& machine, std:
     part.reason = fmt::format("not recorded: {}", absent);
   } else {
     part.is_evaluated = true;
+    if (has_objection(need, result.last)) part.reason = text_of(need.objection).sentence;
   }
   return part;
 }
@@ -82,9 +90,13 @@ EvaluatedPart evaluate_chip_load(const MachineDescription& machine, const Replay
 
 }  // namespace
 
+bool can_judge_tool(const MachineDescription& machine, const ReplayResult& result) {
+  return machine.has_spindle && machine.has_contact && (kChipLoadChannels & ~unsigned{result.seen}) == 0;
+}
+
 std::vector<EvaluatedPart> evaluated_parts(const MachineDescription& machine, const ReplayResult& result) {
   std::vector<EvaluatedPart> parts;
-  for (const Need& need : kBalances) parts.push_back(evaluate(need, machine, result.seen));
+  for (const Need& need : kBalances) parts.push_back(evaluate(need, machine, result));
   parts.push_back(evaluate_chip_load(machine, result));
   return parts;
 }

@@ -26,7 +26,7 @@ struct TimelineEntry {
 struct EvaluatedPart {
   std::string name;
   bool is_evaluated = false;
-  std::string reason;  ///< empty where it was evaluated
+  std::string reason;  ///< why not; where it was evaluated, what the monitor has against the model
 };
 
 /// What a replay found. The answer on the chip load is the last valid one: a recording often ends after the
@@ -52,6 +52,7 @@ struct ReplayResult {
   std::vector<TimelineEntry> timeline;
   std::uint64_t timeline_changes = 0;  ///< may be more than are listed
   std::vector<EvaluatedPart> parts;
+  bool can_judge_tool = true;  ///< the machine file and the recording hold what a word on the tool needs
   std::uint64_t frames = 0;
   double elapsed_s = 0.0;
 
@@ -65,7 +66,8 @@ std::string reason_of(const ReplayResult& result, Parameter parameter);
 bool is_described(const ReplayResult& result, Parameter parameter);
 
 /// The verdict on the whole recording: that of its end, except where the end is only the tool leaving the
-/// cut.
-const Health& verdict_of(const ReplayResult& result);
+/// cut. Where nothing can be said about the tool it is NOT_ENOUGH_DATA; what the monitor has against the rest
+/// of the model then stands with the parts.
+Health verdict_of(const ReplayResult& result);
 
 }  // namespace morepro::host

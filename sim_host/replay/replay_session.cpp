@@ -66,6 +66,7 @@ ReplayResult replay(RecordingReader& recording, const MachineDescription& machin
   result.has_feed = machine.has_feed;
   result.configuration = machine.configuration;
   result.parts = evaluated_parts(machine, result);
+  result.can_judge_tool = can_judge_tool(machine, result);
   return result;
 }
 

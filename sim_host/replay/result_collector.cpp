@@ -28,8 +28,13 @@ std::string reason_of(const ReplayResult& result, Parameter parameter) {
   return std::string(reason_of(result.last.parameters[index_of(parameter)].status));
 }
 
-const Health& verdict_of(const ReplayResult& result) {
-  return result.has_chip_load() && is_only_the_end_of_the_cut(result.last) ? result.judged : result.last;
+Health verdict_of(const ReplayResult& result) {
+  if (result.has_chip_load() && is_only_the_end_of_the_cut(result.last)) return result.judged;
+  Health verdict = result.last;
+  if (verdict.state != HealthState::kModelGap || result.can_judge_tool) return verdict;
+  verdict.state = HealthState::kNotEnoughData;
+  verdict.reason = static_cast<std::uint16_t>(ReasonCode::kSensorMissing);
+  return verdict;
 }
 
 void ResultCollector::take(const SensorFrame& frame, const BoardMonitor& monitor) {

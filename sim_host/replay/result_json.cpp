@@ -77,7 +77,7 @@ Json parameters_of(const ReplayResult& r) {
 }
 
 Json health_of(const ReplayResult& r) {
-  const Health& health = verdict_of(r);
+  const Health health = verdict_of(r);
   const ReasonText& reason = text_of(static_cast<ReasonCode>(health.reason));
   return {{"state", name_of(health.state)},
           {"reason", fmt::format("{}: {}", reason.name, reason.sentence)},

@@ -107,9 +107,10 @@ std::string parameter_lines(const ReplayResult& r) {
 std::string part_lines(const ReplayResult& r) {
   std::string text;
   for (const EvaluatedPart& part : r.parts) {
-    const std::string content = part.is_evaluated
-                                    ? fmt::format("{}: evaluated", part.name)
-                                    : fmt::format("{}: not evaluated ({})", part.name, part.reason);
+    const std::string content =
+        part.is_evaluated
+            ? fmt::format("{}: evaluated{}{}", part.name, part.reason.empty() ? "" : "; ", part.reason)
+            : fmt::format("{}: not evaluated ({})", part.name, part.reason);
     text += line(text.empty() ? "Evaluation" : "", content);
   }
   return text;
@@ -123,7 +124,7 @@ std::string coloured(HealthState state, bool with_colour) {
 }
 
 std::string health_lines(const ReplayResult& r, bool with_colour) {
-  const Health& health = verdict_of(r);
+  const Health health = verdict_of(r);
   const ReasonText& reason = text_of(static_cast<ReasonCode>(health.reason));
   std::string text = line(
       "Health", fmt::format("{}  {}: {}", coloured(health.state, with_colour), reason.name, reason.sentence));

@@ -68,7 +68,7 @@ void bank(benchmark::State& state) {
   for (auto _ : state) {
     feed.predict({26.0F, 1.0F, 1.0F});
     benchmark::DoNotOptimize(feed.update({m.feed_speed[k], 0.0F, 4.0e-6F, kUnmeasured}));
-    filters->step({48.0F, 1.0F, 500.0F}, {m.speed[k], m.current[k], 1.0F, 0.0025F});
+    filters->step({48.0F, 1.0F, 0.72F}, {m.speed[k], m.current[k], 1.0F, 0.0025F});
     benchmark::DoNotOptimize(filters->log_likelihood().data());
     benchmark::ClobberMemory();
     k = (k + 1) % kMeasurements;

@@ -41,6 +41,8 @@ class MeasuredRecording(ProgramTest):
     def test_voltage_and_speed_alone_give_the_spindle_response_only(self):
         for result in self.results("motorxplorer", "motorxplorer.toml"):
             self.assertEqual(self.evaluated(result), {"spindle response (both balances in one)"})
+            objections = [part["reason"] for part in result["evaluation"] if part["evaluated"]]
+            self.assertIn("does not behave as its model says", objections[0], "the motor has stiction, its model none")
 
     def test_what_the_machine_file_does_not_describe_has_no_datasheet_value(self):
         for result in self.results("emps", "emps.toml"):

@@ -70,7 +70,7 @@ std::array<ParameterEstimate, kParameterCount> identify(const Experiment& run) {
     frame.set(Channel::kFeedForce, static_cast<float>(machine.input.feed_force_n));
     frame.set(Channel::kContact, static_cast<float>(machine.input.contact));
     frame.set(Channel::kToolTemperature, 500.0F);
-    held.take(frame);
+    held.take({frame, frame.present});
     machine.step();
     const FeedMeasurement<float> feed{
         static_cast<float>(machine.state().feed_speed_m_s + noise_m_s * normal(machine.random())), 0.0F,

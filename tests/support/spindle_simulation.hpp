@@ -15,6 +15,7 @@ class SpindleSimulation {
  public:
   SpindleSimulation(const MonitorConfiguration& configuration, std::uint64_t seed)
       : configuration_(configuration),
+        law_(configuration.machine),
         plant_(configuration.machine, 1.0 / configuration.sampling.rate_hz / kSubSteps),
         random_(seed) {}
 
@@ -35,7 +36,7 @@ class SpindleSimulation {
 
   [[nodiscard]] SpindleInput<float> held() const {
     return {static_cast<float>(input.armature_voltage_v), static_cast<float>(input.contact),
-            static_cast<float>(input.tool_temperature_degc)};
+            static_cast<float>(law_.thermal_factor(input.tool_temperature_degc))};
   }
   [[nodiscard]] const PlantState<double>& state() const { return state_; }
   void set_state(const PlantState<double>& state) { state_ = state; }
@@ -45,6 +46,7 @@ class SpindleSimulation {
   static constexpr int kSubSteps = 10;
 
   MonitorConfiguration configuration_;
+  ContactLaw<double> law_;
   Rk4Integrator<double> plant_;
   PlantState<double> state_{};
   std::mt19937_64 random_;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kN = 8;
 constexpr double kPeriod_s = 1.0e-4;
+constexpr float kThermalFactor = 0.72F;  // some 500 degC
 
 template <class Real>
 std::array<Real, kN> grid(const MonitorConfiguration& c) {
@@ -41,7 +42,7 @@ class PlainFilter {
   double w = 0.0, i = 0.0, pww = 1.0, pwi = 0.0, pii = 1.0, nis = 0.0, log_det = 0.0;
 
   void step(const SpindleInput<double>& u, double yw, double yi, double rw, double ri) {
-    const auto contact = law_(w, chip_load_, u.tool_temperature_degc);
+    const auto contact = law_.at_thermal_factor(w, chip_load_, u.thermal_factor);
     const double torque = u.contact * contact.torque_nm, slope = u.contact * contact.per_speed;
     const double change =
         step_.ww * w + step_.wi * i + step_.w_per_v * u.armature_voltage_v + step_.w_per_nm * torque - w;
@@ -99,12 +100,12 @@ Difference compare_with_plain(const MonitorConfiguration& c) {
     const auto held = machine.held();
     machine.step();
     const auto y = machine.measure();
-    bank.step({Real(held.armature_voltage_v), Real(held.contact), Real(held.tool_temperature_degc)},
+    bank.step({Real(held.armature_voltage_v), Real(held.contact), Real(held.thermal_factor)},
               {Real(y.speed_rad_s), Real(y.current_a), Real(y.speed_variance), Real(y.current_variance)});
     for (auto& filter : plain)
-      filter.step({48.0, static_cast<double>(held.contact), 500.0}, static_cast<double>(y.speed_rad_s),
-                  static_cast<double>(y.current_a), static_cast<double>(y.speed_variance),
-                  static_cast<double>(y.current_variance));
+      filter.step({48.0, static_cast<double>(held.contact), static_cast<double>(held.thermal_factor)},
+                  static_cast<double>(y.speed_rad_s), static_cast<double>(y.current_a),
+                  static_cast<double>(y.speed_variance), static_cast<double>(y.current_variance));
     for (std::size_t j = 0; j < kN; ++j) {
       worst.state = std::max(worst.state, std::abs(static_cast<double>(bank.speed_rad_s(j)) - plain[j].w) /
                                               (1.0 + std::abs(plain[j].w)));
@@ -148,7 +149,7 @@ TEST(Bank, AllHypothesesAgreeWithoutContact) {
   auto bank = make_bank<float>(c);
   bank.start(0.0F, 0.0F, 1.0F, 1.0F);
   for (int k = 0; k < 500; ++k)
-    bank.step({48.0F, 0.0F, 500.0F}, {static_cast<float>(k), 10.0F, 0.25F, 0.01F});
+    bank.step({48.0F, 0.0F, kThermalFactor}, {static_cast<float>(k), 10.0F, 0.25F, 0.01F});
   for (std::size_t j = 1; j < kN; ++j) {
     EXPECT_EQ(bank.speed_rad_s(j), bank.speed_rad_s(0));
     EXPECT_EQ(bank.log_likelihood()[j], bank.log_likelihood()[0]);
@@ -160,8 +161,8 @@ TEST(Bank, MissingChannelsLeaveThePredictionAsItIs) {
   auto bank = make_bank<float>(c), blind = make_bank<float>(c);
   bank.start(577.0F, 2.2F, 1.0F, 0.01F);
   blind.start(577.0F, 2.2F, 1.0F, 0.01F);
-  bank.step({48.0F, 1.0F, 500.0F}, {0.0F, 0.0F, kUnmeasured, kUnmeasured});
-  blind.step({48.0F, 1.0F, 500.0F}, {1.0e6F, -1.0e5F, kUnmeasured, kUnmeasured});
+  bank.step({48.0F, 1.0F, kThermalFactor}, {0.0F, 0.0F, kUnmeasured, kUnmeasured});
+  blind.step({48.0F, 1.0F, kThermalFactor}, {1.0e6F, -1.0e5F, kUnmeasured, kUnmeasured});
   const auto step = make_spindle_step<double>(c.machine.spindle, kPeriod_s);
   const double variance = step.ww * step.ww + step.wi * step.wi * 0.01;
   for (std::size_t j = 0; j < kN; ++j) {
@@ -175,8 +176,8 @@ TEST(Bank, RepairsALaneWhoseMemoryHoldsNoNumber) {
   const auto c = reference_configuration();
   auto bank = make_bank<float>(c);
   bank.start(577.0F, 2.2F, 1.0F, 0.01F);
-  bank.step({48.0F, 1.0F, 500.0F}, {std::numeric_limits<float>::quiet_NaN(), 2.2F, 1.0F, 0.0025F});
-  for (int k = 0; k < 3; ++k) bank.step({48.0F, 1.0F, 500.0F}, {577.5F, 2.2F, 1.0F, 0.0025F});
+  bank.step({48.0F, 1.0F, kThermalFactor}, {std::numeric_limits<float>::quiet_NaN(), 2.2F, 1.0F, 0.0025F});
+  for (int k = 0; k < 3; ++k) bank.step({48.0F, 1.0F, kThermalFactor}, {577.5F, 2.2F, 1.0F, 0.0025F});
   for (std::size_t j = 0; j < kN; ++j) {
     EXPECT_NEAR(bank.speed_rad_s(j), 577.5F, 3.0F);
     EXPECT_GT(bank.speed_variance(j), 0.0F);

@@ -75,7 +75,7 @@ TEST(UdCovariance, PredictsAndUpdatesLikeTheDenseFilter) {
     const std::size_t measured = static_cast<std::size_t>(k % 2);
     const int m = static_cast<int>(measured);
     const double variance = 0.5;
-    const auto update = ud.update(measured, variance);
+    const auto update = measured == 0 ? ud.update<0>(variance) : ud.update<1>(variance);
     const double s = p(m, m) + variance;
     const Eigen::Matrix<double, kN, 1> gain = p.col(m) / s;
     p -= gain * s * gain.transpose();
@@ -105,7 +105,7 @@ TEST(UdCovariance, RestartsOneElementAndLeavesTheOthersAsTheyWere) {
     Ud ud({1.0, 2.0, 0.5, 0.3, 4.0});
     const Transition t = random_transition(random);
     ud.predict(t.f, t.g, t.q);
-    (void)ud.update(0, 0.5);
+    (void)ud.update<0>(0.5);
     Matrix expected = dense(ud);
     expected.row(static_cast<int>(j)).setZero();
     expected.col(static_cast<int>(j)).setZero();
@@ -120,8 +120,8 @@ TEST(UdCovariance, StaysPositiveInFloat32WithoutExcitation) {
   UdCovariance<float, 4> ud({1.0F, 1.0F, 1.0e-2F, 1.0e-2F});
   for (int k = 0; k < 1000000; ++k) {
     ud.predict({{{0.96F, 0.11F}, {-0.15F, 0.54F}}}, {{{1.0e-3F, 0.0F}, {0.0F, 1.0e-3F}}}, {1.0e-6F, 1.0e-6F});
-    (void)ud.update(0, 0.25F);
-    (void)ud.update(1, 0.01F);
+    (void)ud.update<0>(0.25F);
+    (void)ud.update<1>(0.01F);
   }
   for (std::size_t i = 0; i < 4; ++i) EXPECT_GT(ud.variance(i), 0.0F) << i;
 }

@@ -8,7 +8,7 @@ namespace {
 constinit Mps2Board::Link link;
 
 /// Between two expiries; the second one resets. An emulated core may rest that long while its host is busy.
-constexpr std::uint32_t kWatchdogCycles = kCoreHz;
+constexpr std::uint32_t kWatchdogCycles = 3 * kCoreHz;
 constexpr std::uint32_t kReleaseLed = 1;
 
 void on_link() { link.on_interrupt(); }

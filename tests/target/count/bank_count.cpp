@@ -15,7 +15,7 @@ namespace morepro::count {
 namespace {
 
 constexpr double kPeriod_s = 1.0e-4;
-constexpr SpindleInput<float> kCutting{48.0F, 1.0F, 500.0F};
+constexpr SpindleInput<float> kCutting{48.0F, 1.0F, 0.72F};
 
 /// Measurements of a steady cut with a deterministic noise of one and 0.05 units.
 SpindleMeasurement<float> next_measurement() {

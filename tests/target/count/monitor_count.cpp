@@ -54,7 +54,8 @@ void receive_next_frame() {
 
 void decode_frame() {
   static wire::Decoder decoder;
-  for (std::size_t i = 0; i < received_size; ++i) (void)decoder.push(received[i]);
+  std::span<const std::uint8_t> bytes = std::span(received).first(received_size);
+  count::keep(decoder.next(bytes));
   count::keep(decoder.record());
 }
 

@@ -27,6 +27,18 @@ TEST(ByteRing, GivesBytesInOrderAcrossItsEnd) {
   EXPECT_FALSE(ring.pop(byte));
 }
 
+TEST(ByteRing, ShowsWhatLiesSideBySideUpToItsEnd) {
+  Ring ring;
+  fill(ring, 12);
+  ring.drop(10);
+  fill(ring, 8);
+  EXPECT_EQ(ring.front().size(), 6U);
+  EXPECT_EQ(ring.front()[0], 10);
+  ring.drop(6);
+  EXPECT_EQ(ring.front().size(), 4U);
+  EXPECT_EQ(ring.front()[0], 4);
+}
+
 TEST(ByteRing, RefusesWhatDoesNotFitAndKeepsWhatItHas) {
   Ring ring;
   fill(ring, 16);
