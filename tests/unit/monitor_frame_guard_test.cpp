@@ -77,16 +77,10 @@ TEST(FrameGuard, RefusesTimeThatRunsBackwards) {
 TEST(FrameGuard, FollowsASenderThatStartedAgain) {
   FrameGuard guard(1.0e4);
   (void)guard.check(frame(100000));
-  int refused = 0;
-  GuardedFrame result;
-  for (std::uint32_t k = 1; k <= 30; ++k) {
-    result = guard.check(frame(k));
-    refused += result.is_accepted ? 0 : 1;
-    if (result.is_accepted) break;
-  }
+  for (std::uint32_t k = 1; k < 20; ++k) ASSERT_FALSE(guard.check(frame(k)).is_accepted) << k;
+  const auto result = guard.check(frame(20));
   EXPECT_TRUE(result.is_accepted && result.is_restart);
   EXPECT_TRUE(has(result, FrameFlag::kSequenceReset));
-  EXPECT_EQ(refused, 19);
 }
 
 TEST(FrameGuard, DoesNotNoticeTheWrapOfTimeAndSequence) {
