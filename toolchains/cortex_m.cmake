@@ -11,8 +11,8 @@ set(CMAKE_C_FLAGS_INIT "${MOREPRO_BOARD_FLAGS} -ffunction-sections -fdata-sectio
 set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT} -fno-exceptions -fno-rtti -fno-threadsafe-statics")
 # -Os makes Eigen 2 to 9 times slower; -O3 unrolls what does not fit a flash prefetch buffer.
 # Set, not ..._INIT: to that CMake would append its own -O3.
-set(CMAKE_C_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "Flags of release builds")
-set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "Flags of release builds")
+set(CMAKE_C_FLAGS_RELEASE "-O3 -DNDEBUG" CACHE STRING "Flags of release builds")
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG" CACHE STRING "Flags of release builds")
 
 # Headers only come from the host's packages (Eigen); libraries and programs of the host are of no use here.
 set(CMAKE_PREFIX_PATH /usr)
