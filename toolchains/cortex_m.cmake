@@ -9,7 +9,8 @@ set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES MOREPRO_BOARD)
 set(MOREPRO_BOARD_FLAGS "${MOREPRO_CPU_FLAGS} -mthumb -mfloat-abi=hard --specs=picolibc.specs")
 set(CMAKE_C_FLAGS_INIT "${MOREPRO_BOARD_FLAGS} -ffunction-sections -fdata-sections")
 set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT} -fno-exceptions -fno-rtti -fno-threadsafe-statics")
-# -Os makes Eigen 2 to 9 times slower; -O3 unrolls what does not fit a flash prefetch buffer.
+# -O3: the monitor takes a sixth fewer instructions than with -O2, for 20 KB of flash; -Os makes Eigen 2 to 9 times
+# slower.
 # Set, not ..._INIT: to that CMake would append its own -O3.
 set(CMAKE_C_FLAGS_RELEASE "-O3 -DNDEBUG" CACHE STRING "Flags of release builds")
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG" CACHE STRING "Flags of release builds")
