@@ -303,14 +303,13 @@ class Monitor {
             .frames_known = e.spindle.frames_known()};
   }
 
-  /// A broken sensor comes first: what is judged with it means nothing. A model that does not fit comes before a
-  /// judgement of the tool, but not before the lack of the signals that a judgement needs.
+  /// A broken sensor or a model that does not fit come first: what is judged with them means nothing.
   Verdict decide(const ChipLoadEvidence& evidence) {
     auto& e = estimators_;
     const Verdict wear = e.wear.judge(evidence);
     const ReasonCode fault = e.sensors.fault();
     if (fault != ReasonCode::kNone) return {HealthState::kSensorFault, fault};
-    if (wear.state == HealthState::kReplace || !evidence.has_signals) return wear;
+    if (wear.state == HealthState::kReplace) return wear;
     if (e.restarts >= kRestartsOfAGap || has_gap(e.spindle.ratio()))
       return {HealthState::kModelGap, ReasonCode::kModelResidual};
     if (has_gap(e.feed.ratio())) return {HealthState::kModelGap, ReasonCode::kModelFeedResidual};
