@@ -13,10 +13,11 @@
 #include "lib/monitor/frame_guard.hpp"
 #include "lib/monitor/health.hpp"
 #include "lib/monitor/held_inputs.hpp"
-#include "lib/monitor/measurement_variance.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 #include "lib/monitor/parameter_tracker.hpp"
 #include "lib/monitor/reason.hpp"
+#include "lib/monitor/restart_watch.hpp"
+#include "lib/monitor/sensor_model.hpp"
 #include "lib/monitor/sensor_watch.hpp"
 #include "lib/monitor/spindle_tracker.hpp"
 #include "lib/monitor/wear_judge.hpp"
@@ -92,10 +93,7 @@ class Monitor {
           feed(c),
           parameters(c),
           wear(c.wear, c.sampling.rate_hz),
-          speed_variance(measurement_variance(c, Channel::kSpindleSpeed)),
-          current_variance(measurement_variance(c, Channel::kArmatureCurrent)),
-          feed_speed_variance(measurement_variance(c, Channel::kFeedSpeed)),
-          position_variance(measurement_variance(c, Channel::kFeedPosition)),
+          sensor_model(c),
           rate_hz(static_cast<float>(c.sampling.rate_hz)) {}
 
     FrameGuard guard;
@@ -105,23 +103,19 @@ class Monitor {
     ParameterTracker parameters;
     WearJudge wear;
     SensorWatch sensors;
-    float speed_variance, current_variance, feed_speed_variance, position_variance;
+    SensorModel sensor_model;
+    RestartWatch restarts;
     float rate_hz;
     float last_speed_rad_s = 0.0F;
-    std::uint32_t restarts = 0;
-    std::uint32_t frames_since_restart = 0;
   };
 
-  /// So many restarts of a state within so many frames of each other are no accident: the model is wrong.
-  static constexpr std::uint32_t kRestartsOfAGap = 4;
-  static constexpr std::uint32_t kRestartMemory = 5000;
   static constexpr float kGapRatio = 3.0F;
 
   void process(const GuardedFrame& seen) {
     auto& e = estimators_;
     const FrameView& frame = seen.frame;
-    auto spindle = spindle_measurement(frame);
-    auto feed = feed_measurement(frame);
+    auto spindle = e.sensor_model.spindle(frame);
+    auto feed = e.sensor_model.feed(frame);
     if (seen.is_restart) {
       restart(spindle, feed);
     } else {
@@ -133,22 +127,6 @@ class Monitor {
                                                            : e.spindle.chip_load().speed_rad_s();
     hold_inputs(frame);
     write_health();
-  }
-
-  SpindleMeasurement<float> spindle_measurement(const FrameView& frame) const {
-    const bool speed = frame.has(Channel::kSpindleSpeed), current = frame.has(Channel::kArmatureCurrent);
-    return {speed ? frame.get(Channel::kSpindleSpeed) : 0.0F,
-            current ? frame.get(Channel::kArmatureCurrent) : 0.0F,
-            speed ? estimators_.speed_variance : kUnmeasured,
-            current ? estimators_.current_variance : kUnmeasured};
-  }
-
-  FeedMeasurement<float> feed_measurement(const FrameView& frame) const {
-    const bool speed = frame.has(Channel::kFeedSpeed), position = frame.has(Channel::kFeedPosition);
-    return {speed ? frame.get(Channel::kFeedSpeed) : 0.0F,
-            position ? frame.get(Channel::kFeedPosition) : 0.0F,
-            speed ? estimators_.feed_speed_variance : kUnmeasured,
-            position ? estimators_.position_variance : kUnmeasured};
   }
 
   void restart(const SpindleMeasurement<float>& spindle, const FeedMeasurement<float>& feed) {
@@ -210,16 +188,10 @@ class Monitor {
   }
 
   void count_restart(bool restarted) {
-    auto& e = estimators_;
-    if (e.frames_since_restart < kRestartMemory)
-      ++e.frames_since_restart;
-    else
-      e.restarts = 0;
+    estimators_.restarts.step(restarted);
     if (!restarted) return;
     flag(FrameFlag::kEstimatorReset);
-    e.parameters.restart();
-    e.frames_since_restart = 0;
-    if (e.restarts < kRestartsOfAGap) ++e.restarts;
+    estimators_.parameters.restart();
   }
 
   void flag_law(std::uint8_t contact_flags) {
@@ -310,7 +282,7 @@ class Monitor {
     const ReasonCode fault = e.sensors.fault();
     if (fault != ReasonCode::kNone) return {HealthState::kSensorFault, fault};
     if (wear.state == HealthState::kReplace) return wear;
-    if (e.restarts >= kRestartsOfAGap || has_gap(e.spindle.ratio()))
+    if (e.restarts.are_many() || has_gap(e.spindle.ratio()))
       return {HealthState::kModelGap, ReasonCode::kModelResidual};
     if (has_gap(e.feed.ratio())) return {HealthState::kModelGap, ReasonCode::kModelFeedResidual};
     return wear;
