@@ -35,6 +35,14 @@ TEST(BayesianDecision, EqualsTheGoldenProbabilities) {
   expect_golden(BayesianDecision<double, kN>(kN, 1.0e-6), "mmae");
 }
 
+TEST(BayesianDecision, KeepsEveryHypothesisAboveItsFloor) {
+  BayesianDecision<float, 3> decision(3, 1.0e-6F);
+  for (int k = 0; k < 1000; ++k) decision.step({0.0F, -20.0F, -40.0F});
+  for (float p : decision.probability()) EXPECT_GE(p, 0.9e-6F);
+  for (int k = 0; k < 2; ++k) decision.step({-20.0F, 0.0F, -20.0F});
+  EXPECT_EQ(decision.selected(), 1U);
+}
+
 TEST(MarkovDecision, FloatFollowsDouble) {
   const auto golden = test::golden_json("model_probability.json");
   MarkovDecision<float, kN> decision(kN, 1.0e-4F);
