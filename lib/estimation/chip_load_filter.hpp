@@ -66,6 +66,7 @@ class ChipLoadFilter {
     const Real w = w_, i = i_, v = input.armature_voltage_v;
     const auto contact = torque(input);
     flags_ = contact.flags;
+    per_chip_load_ = contact.per_chip_load;
     const Real half_slope = Real(0.5) * step_.w_per_nm * contact.per_speed;
     const Real change =
         step_.ww * w + step_.wi * i + step_.w_per_v * v + step_.w_per_nm * contact.torque_nm - w;
@@ -108,6 +109,12 @@ class ChipLoadFilter {
   [[nodiscard]] Real current_a() const { return i_; }
   [[nodiscard]] Real chip_load_mm() const { return chip_load_; }
   [[nodiscard]] Real chip_load_variance_mm2() const { return covariance_.variance(kChipLoad); }
+  /// Change of the contact torque with the chip load at the last prediction in contact, N m/mm; 0 in the air.
+  [[nodiscard]] Real torque_per_chip_load() const { return per_chip_load_; }
+  /// The estimate lies between what a chip load can be, not on a bound.
+  [[nodiscard]] bool is_inside_prior() const {
+    return chip_load_ > prior_.lowest_mm && chip_load_ < prior_.highest_mm;
+  }
   /// ContactFlag bits of the last prediction in contact.
   [[nodiscard]] std::uint8_t flags() const { return flags_; }
 
@@ -142,6 +149,7 @@ class ChipLoadFilter {
   ChipLoadPrior<Real> prior_;
   std::array<Real, 2> q_;
   Real w_{}, i_{}, chip_load_{};
+  Real per_chip_load_{};
   std::uint8_t flags_ = 0;
   Covariance covariance_{{Real(1), Real(1), Real(1)}};
 };

@@ -17,12 +17,19 @@ struct CheckedValue {
 
 inline bool is_finite(double x) { return x - x == 0.0; }
 
+/// Beyond these a value is a mistake of units, and its square or quotient may leave the range of a float.
+inline constexpr double kSmallest = 1.0e-12;
+inline constexpr double kLargest = 1.0e9;
+inline constexpr double kLargestNoise = 1.0e5;
+
 template <std::size_t kSize>
-ConfigurationResult check_all(const std::array<CheckedValue, kSize>& values, bool zero_allowed) {
+ConfigurationResult check_all(const std::array<CheckedValue, kSize>& values, bool zero_allowed,
+                              double largest = kLargest) {
   for (const auto& [value, key] : values) {
     if (!is_finite(value)) return {ConfigurationError::kNotFinite, key};
     if (zero_allowed && !(value >= 0.0)) return {ConfigurationError::kNegative, key};
     if (!zero_allowed && !(value > 0.0)) return {ConfigurationError::kNotPositive, key};
+    if (value > largest || (value > 0.0 && value < kSmallest)) return {ConfigurationError::kMagnitude, key};
   }
   return {};
 }
@@ -67,6 +74,7 @@ inline ConfigurationResult check_not_negative(const MonitorConfiguration& c) {
                        {contact.radius_m, "contact.radius_m"},
                        {c.tuning.chip_load_drift_mm, "tuning.chip_load_drift_mm"},
                        {c.wear.hold_s, "wear.hold_s"},
+                       {c.wear.datasheet_tolerance, "wear.datasheet_tolerance"},
                        {c.wear.watch_ratio - 1.0, "wear.watch_ratio"},
                        {c.wear.replace_ratio - c.wear.watch_ratio, "wear.replace_ratio"},
                        {1.0 - c.wear.low_ratio, "wear.low_ratio"},
@@ -78,7 +86,7 @@ inline ConfigurationResult check_sensors(const Sensors& sensors) {
   for (std::size_t i = 0; i < kChannelCount; ++i) {
     const std::array<CheckedValue, 2> values{{{sensors.by_channel[i].noise, kChannels[i].column},
                                               {sensors.by_channel[i].lsb, kChannels[i].column}}};
-    if (const auto result = check_all(values, true); !result.ok()) return result;
+    if (const auto result = check_all(values, true, kLargestNoise); !result.ok()) return result;
   }
   return {};
 }

@@ -15,6 +15,7 @@ enum class ConfigurationError : std::uint8_t {
   kHypothesisOutsideLaw = 6,
   kThermalRange = 7,
   kNotAProbability = 8,
+  kMagnitude = 9,
 };
 
 /// The refusal, and the key of the machine file that it is about.

@@ -43,6 +43,7 @@ class FrameGuard {
     result.is_accepted = true;
     check_values(result);
     check_stuck(result);
+    check_temperature(result);
     has_last_ = true;
     last_sequence_ = frame.sequence;
     last_time_us_ = frame.time_us;
@@ -104,6 +105,24 @@ class FrameGuard {
     });
   }
 
+  /// No tool gets hotter or colder by so much within some frames: a thermocouple broke. Out of the cut, where
+  /// tools are changed, a new level is believed after a while.
+  static constexpr float kLargestJump_degc = 100.0F;
+  static constexpr std::uint32_t kNewLevel = 1000;
+
+  void check_temperature(GuardedFrame& result) {
+    if (!result.frame.has(Channel::kToolTemperature)) return;
+    const float temperature_degc = result.frame.get(Channel::kToolTemperature);
+    const float jump = temperature_degc - last_temperature_degc_;
+    const bool jumps = jump > kLargestJump_degc || jump < -kLargestJump_degc;
+    const bool cuts = result.frame.has(Channel::kContact) && result.frame.get(Channel::kContact) > 0.5F;
+    jumped_in_air_ = jumps && !cuts ? jumped_in_air_ + 1 : 0;
+    if (has_temperature_ && jumps && !result.is_restart && jumped_in_air_ < kNewLevel)
+      return drop(result, index_of(Channel::kToolTemperature), FrameFlag::kJump);
+    has_temperature_ = true;
+    last_temperature_degc_ = temperature_degc;
+  }
+
   /// A machine without drive that reads exactly zero stands still; that is no fault.
   void check_stuck(GuardedFrame& result) {
     for (std::size_t k = 0; k < kWatched.size(); ++k) {
@@ -127,6 +146,9 @@ class FrameGuard {
 
   float period_us_;
   bool has_last_ = false;
+  bool has_temperature_ = false;
+  float last_temperature_degc_ = 0.0F;
+  std::uint32_t jumped_in_air_ = 0;
   std::uint32_t last_sequence_ = 0;
   std::uint32_t last_time_us_ = 0;
   std::uint32_t frames_behind_ = 0;

@@ -110,6 +110,8 @@ class Monitor {
   };
 
   static constexpr float kGapRatio = 3.0F;
+  static constexpr unsigned kSpeedFlags =
+      bits_of(ContactFlag::kCuttingSpeedLow) | bits_of(ContactFlag::kCuttingSpeedHigh);
 
   void process(const GuardedFrame& seen) {
     auto& e = estimators_;
@@ -122,7 +124,7 @@ class Monitor {
       for (std::uint32_t k = 1; k < seen.periods; ++k) coast();
       step_estimators(spindle, feed, acceleration(frame));
     }
-    e.sensors.step(usable(frame, spindle, feed), health_.rejected_channels, health_.frame_flags);
+    e.sensors.step(frame.usable, seen.rejected, seen.flags);
     e.last_speed_rad_s = frame.has(Channel::kSpindleSpeed) ? frame.get(Channel::kSpindleSpeed)
                                                            : e.spindle.chip_load().speed_rad_s();
     hold_inputs(frame);
@@ -200,19 +202,6 @@ class Monitor {
     if ((contact_flags & bits_of(ContactFlag::kCuttingSpeedHigh)) != 0) flag(FrameFlag::kSpeedHigh);
   }
 
-  static std::uint16_t usable(const FrameView& frame, const SpindleMeasurement<float>& spindle,
-                              const FeedMeasurement<float>& feed) {
-    std::uint16_t bits = frame.usable;
-    const auto drop = [&bits](bool is_used, Channel channel) {
-      if (!is_used) bits = static_cast<std::uint16_t>(bits & ~bit_of(channel));
-    };
-    drop(spindle.has_speed(), Channel::kSpindleSpeed);
-    drop(spindle.has_current(), Channel::kArmatureCurrent);
-    drop(feed.has_speed(), Channel::kFeedSpeed);
-    drop(feed.has_position(), Channel::kFeedPosition);
-    return bits;
-  }
-
   /// The inputs of this frame hold from now on; a new cut or a new command makes the chip load unknown.
   void hold_inputs(const FrameView& frame) {
     auto& e = estimators_;
@@ -243,10 +232,7 @@ class Monitor {
     const Verdict verdict = decide(evidence);
     health_.state = verdict.state;
     health_.reason = static_cast<std::uint16_t>(verdict.reason);
-    const bool is_valid = evidence.has_signals && evidence.is_in_contact &&
-                          evidence.frames_known >= kFewestFrames &&
-                          evidence.standard_error_mm <= static_cast<float>(configuration_.grid.step_mm);
-    health_.chip_load_state = is_valid ? ChipLoadState::kValid : ChipLoadState::kUndetermined;
+    health_.chip_load_state = is_valid(evidence) ? ChipLoadState::kValid : ChipLoadState::kUndetermined;
     health_.chip_load_mm = evidence.estimate_mm;
     health_.chip_load_standard_error_mm = evidence.standard_error_mm;
     health_.hypothesis_count = static_cast<std::uint8_t>(configuration_.grid.count);
@@ -262,6 +248,14 @@ class Monitor {
   /// A decision from fewer frames of a cut is chance, as is one whose error spans more than one hypothesis.
   static constexpr std::uint32_t kFewestFrames = 5;
 
+  [[nodiscard]] bool is_valid(const ChipLoadEvidence& evidence) const {
+    const auto& e = estimators_;
+    return evidence.has_signals && evidence.is_in_contact && evidence.is_inside_law && e.sensors.is_fresh() &&
+           !has_spindle_gap() && e.spindle.chip_load().is_inside_prior() &&
+           evidence.frames_known >= kFewestFrames &&
+           evidence.standard_error_mm <= static_cast<float>(configuration_.grid.step_mm);
+  }
+
   ChipLoadEvidence chip_load_evidence() const {
     const auto& e = estimators_;
     const auto& filter = e.spindle.chip_load();
@@ -272,20 +266,29 @@ class Monitor {
             .reference_mm = e.held.get(Channel::kChipLoad),
             .estimate_mm = filter.chip_load_mm(),
             .standard_error_mm = math::sqrt(filter.chip_load_variance_mm2()),
+            .datasheet_error_mm =
+                e.spindle.chip_load_error_mm(static_cast<float>(configuration_.wear.datasheet_tolerance)),
+            .is_inside_law = (filter.flags() & kSpeedFlags) == 0,
             .frames_known = e.spindle.frames_known()};
   }
 
-  /// A broken sensor or a model that does not fit come first: what is judged with them means nothing.
+  /// A broken sensor or a model that does not fit come first: what is judged with them means nothing, and
+  /// does not count towards a later judgement.
   Verdict decide(const ChipLoadEvidence& evidence) {
-    auto& e = estimators_;
-    const Verdict wear = e.wear.judge(evidence);
-    const ReasonCode fault = e.sensors.fault();
+    auto& wear = estimators_.wear;
+    const ReasonCode fault = estimators_.sensors.fault();
+    const bool is_trusted =
+        fault == ReasonCode::kNone && estimators_.sensors.is_fresh() && !has_spindle_gap();
+    if (!is_trusted) wear.distrust();
     if (fault != ReasonCode::kNone) return {HealthState::kSensorFault, fault};
-    if (wear.state == HealthState::kReplace) return wear;
-    if (e.restarts.are_many() || has_gap(e.spindle.ratio()))
-      return {HealthState::kModelGap, ReasonCode::kModelResidual};
-    if (has_gap(e.feed.ratio())) return {HealthState::kModelGap, ReasonCode::kModelFeedResidual};
-    return wear;
+    if (wear.is_worn()) return {HealthState::kReplace, ReasonCode::kWearLoadHigh};
+    if (has_spindle_gap()) return {HealthState::kModelGap, ReasonCode::kModelResidual};
+    if (has_gap(estimators_.feed.ratio())) return {HealthState::kModelGap, ReasonCode::kModelFeedResidual};
+    return wear.judge(evidence);
+  }
+
+  [[nodiscard]] bool has_spindle_gap() const {
+    return estimators_.restarts.are_many() || has_gap(estimators_.spindle.ratio());
   }
 
   static bool has_gap(const RunningRatio& ratio) { return ratio.is_settled() && ratio.value() > kGapRatio; }

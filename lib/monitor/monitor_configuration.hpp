@@ -74,10 +74,11 @@ struct FilterTuning {
 
 /// When the chip load that the torque looks like, divided by the commanded one, is worth a word.
 struct WearLimits {
-  double watch_ratio = 1.2;    ///< > 1
-  double replace_ratio = 1.5;  ///< > watch_ratio
-  double low_ratio = 0.8;      ///< in (0, 1): below, the tool does not cut what it should
-  double hold_s = 0.1;         ///< how long it must last, >= 0
+  double watch_ratio = 1.2;           ///< > 1
+  double replace_ratio = 1.5;         ///< > watch_ratio
+  double low_ratio = 0.8;             ///< in (0, 1): below, the tool does not cut what it should
+  double hold_s = 0.1;                ///< how long it must last, >= 0
+  double datasheet_tolerance = 0.05;  ///< of motor torque and viscous friction, relative, >= 0
 };
 
 /// Everything that a monitor needs to know before its first frame.

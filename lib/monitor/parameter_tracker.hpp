@@ -82,6 +82,8 @@ class ParameterTracker {
   static constexpr float kUsableError = 0.05F;  // a relative standard error above says nothing to an engineer
   static constexpr float kLearnt = 1.0F / 9.0F;  // variance against the datasheet's: a third of its deviation
   static constexpr float kCorrelated = 0.9F;
+  static constexpr float kNullLine =
+      0.98F;  // along such a line the claimed variance is not to be trusted either
   static constexpr float kSharp = 0.01F;    // so well known, it does not matter with what it is correlated
   static constexpr float kMismatch = 3.0F;  // normalised innovation squared of a model that does not fit
 

@@ -9,9 +9,6 @@ namespace {
 
 constexpr std::array kTexts{
     ReasonText{ReasonCode::kNone, "NONE", "Nothing to say.", "", ""},
-    ReasonText{ReasonCode::kLinkNoFrames, "LINK_NO_FRAMES", "No frame has arrived.",
-               "The sender is off, or the line is not connected.",
-               "Check power and cable of the acquisition board."},
     ReasonText{ReasonCode::kSensorMissing, "SENSOR_MISSING",
                "A signal that the judgement of the tool needs is not there.",
                "The recording does not hold armature voltage, spindle speed and armature current, or a "
@@ -62,12 +59,6 @@ constexpr std::array kTexts{
                "The tool needs clearly less torque than its commanded chip load.",
                "A broken tooth, a part that is not where it should be, or a wrong command.",
                "Inspect tool and clamping."},
-    ReasonText{ReasonCode::kConfigRefused, "CONFIG_REFUSED",
-               "The stored configuration was refused; the built-in machine is used.",
-               "A damaged store or an impossible value.", "Write the configuration again."},
-    ReasonText{ReasonCode::kRuntimeEstimatorReset, "RUNTIME_ESTIMATOR_RESET",
-               "An estimator had to start again.", "A jump that no prediction could follow.",
-               "Look at the frames before it."},
 };
 
 struct RefusalText {
@@ -88,6 +79,7 @@ constexpr std::array kRefusals{
                 "0.47 mm per revolution"},
     RefusalText{ConfigurationError::kThermalRange,
                 "the melting temperature must be above the reference temperature"},
+    RefusalText{ConfigurationError::kMagnitude, "no machine has a value of this magnitude; check its unit"},
     RefusalText{ConfigurationError::kNotAProbability, "the value must lie between 0 and 1, both excluded"},
 };
 

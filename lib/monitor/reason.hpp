@@ -8,7 +8,6 @@ namespace morepro {
 /// CONFIG, 6 RUNTIME, 7 IDENT. The numbers are fixed: recordings hold them.
 enum class ReasonCode : std::uint16_t {
   kNone = 0,
-  kLinkNoFrames = 101,
   kSensorMissing = 201,
   kSensorStuck = 202,
   kSensorNotFinite = 203,
@@ -24,8 +23,6 @@ enum class ReasonCode : std::uint16_t {
   kWearLoadHigh = 405,
   kWearNoReference = 406,
   kWearLoadLow = 407,
-  kConfigRefused = 501,
-  kRuntimeEstimatorReset = 601,
 };
 
 /// What a reason means to whoever reads it on a screen.

@@ -8,16 +8,20 @@
 
 namespace morepro {
 
-/// Notices a sensor that was there and is not usable any more, whatever the cause. A channel that was never
-/// recorded is no fault: its part is not evaluated.
+/// Notices a channel that was there and is not usable any more, whatever the cause. A channel that was never
+/// recorded is no fault: its part is not evaluated. Every unusable frame counts up, every usable one down, so
+/// that a sensor that gives a value now and then does not pass for one that works.
 class SensorWatch {
  public:
-  /// Frames without a usable value after which a sensor counts as failed, and usable ones after which it is
-  /// back.
-  static constexpr std::uint32_t kPatience = 50;
+  /// Unusable frames, less usable ones, from which on a channel counts as failed; it is back at none.
+  static constexpr std::uint32_t kPatience = 20;
+  /// So many leave room for a spike, no more: what is estimated meanwhile is not certain.
+  static constexpr std::uint32_t kFresh = 5;
 
   /// `usable`: bit_of(channel) of this frame's usable values; `flags`: the frame's FrameFlag bits.
   void step(std::uint16_t usable, std::uint16_t rejected, std::uint16_t flags) {
+    is_fresh_ = true;
+    fault_ = ReasonCode::kNone;
     for (std::size_t k = 0; k < kWatched.size(); ++k) {
       auto& sensor = sensors_[k];
       const std::uint16_t bit = bit_of(kWatched[k]);
@@ -25,16 +29,15 @@ class SensorWatch {
         sensor.heal();
       else if (sensor.was_seen)
         sensor.fail((rejected & bit) != 0 ? cause_of(flags) : ReasonCode::kSensorMissing);
+      if (sensor.frames >= kFresh) is_fresh_ = false;
+      if (sensor.has_failed && fault_ == ReasonCode::kNone) fault_ = sensor.cause;
     }
   }
 
-  /// kNone: every sensor that was seen works.
-  [[nodiscard]] ReasonCode fault() const {
-    for (const auto& sensor : sensors_) {
-      if (sensor.has_failed) return sensor.cause;
-    }
-    return ReasonCode::kNone;
-  }
+  /// kNone: every channel that was seen works.
+  [[nodiscard]] ReasonCode fault() const { return fault_; }
+  /// Every channel that was seen has given a value within the last few frames.
+  [[nodiscard]] bool is_fresh() const { return is_fresh_; }
 
  private:
   struct Sensor {
@@ -45,7 +48,7 @@ class SensorWatch {
 
     void heal() {
       was_seen = true;
-      frames = has_failed && frames > 0 ? frames - 1 : 0;
+      if (frames > 0) --frames;
       if (frames == 0) has_failed = false;
     }
     void fail(ReasonCode why) {
@@ -62,10 +65,14 @@ class SensorWatch {
     return ReasonCode::kSensorJump;
   }
 
-  static constexpr std::array<Channel, 6> kWatched{Channel::kArmatureVoltage, Channel::kFeedForce,
-                                                   Channel::kSpindleSpeed,    Channel::kArmatureCurrent,
-                                                   Channel::kFeedSpeed,       Channel::kFeedPosition};
+  /// What a verdict or an estimate rests on.
+  static constexpr std::array<Channel, 10> kWatched{
+      Channel::kArmatureVoltage, Channel::kFeedForce,       Channel::kContact,   Channel::kEngagement,
+      Channel::kSpindleSpeed,    Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition,
+      Channel::kToolTemperature, Channel::kChipLoad};
   std::array<Sensor, kWatched.size()> sensors_{};
+  ReasonCode fault_ = ReasonCode::kNone;
+  bool is_fresh_ = true;
 };
 
 }  // namespace morepro

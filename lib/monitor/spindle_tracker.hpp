@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "lib/estimation/bank.hpp"
 #include "lib/estimation/chip_load_filter.hpp"
@@ -94,6 +95,15 @@ class SpindleTracker {
   [[nodiscard]] const ChipLoadFilter<float>& chip_load() const { return chip_load_; }
   [[nodiscard]] const Bank<float, kN>& bank() const { return bank_; }
   [[nodiscard]] const RunningRatio& ratio() const { return ratio_; }
+  /// Error of the chip load [mm] where motor torque and viscous friction are off by `tolerance`, relative:
+  /// such an error leaves no residual, because the chip load absorbs it.
+  [[nodiscard]] float chip_load_error_mm(float tolerance) const {
+    const float torque = plant_.torque_constant * math::abs(chip_load_.current_a()) +
+                         plant_.viscous_friction * math::abs(chip_load_.speed_rad_s());
+    const float slope = math::abs(chip_load_.torque_per_chip_load());
+    return slope > 0.0F ? tolerance * torque / slope : std::numeric_limits<float>::max();
+  }
+
   /// Frames in contact since the chip load was last unknown.
   [[nodiscard]] std::uint32_t frames_known() const { return frames_known_; }
 
@@ -108,13 +118,13 @@ class SpindleTracker {
     }
   }
 
-  /// Probability of a hypothesis; the thesis's rule has none: 1 for the selected one.
+  /// Probability of a hypothesis; the thesis's rule has none: 0.
   [[nodiscard]] float probability(std::size_t j) const {
     switch (rule_) {
       case DecisionRule::kBayesian:
         return bayesian_.probability()[j];
       case DecisionRule::kThesis:
-        return j == integral_.selected() ? 1.0F : 0.0F;
+        return 0.0F;
       default:
         return markov_.probability()[j];
     }

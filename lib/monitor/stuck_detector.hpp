@@ -9,7 +9,7 @@ namespace morepro {
 class StuckDetector {
  public:
   /// A value may repeat for so many frames before it counts as stuck.
-  static constexpr std::uint32_t kLongestRun = 80;
+  static constexpr std::uint32_t kLongestRun = 60;
 
   /// One frame's value; true: it is stuck.
   bool step(float value) {

@@ -16,7 +16,9 @@ struct ChipLoadEvidence {
   float reference_mm = 0.0F;  ///< commanded or nominal
   float estimate_mm = 0.0F;
   float standard_error_mm = 0.0F;
-  std::uint32_t frames_known = 0;  ///< frames in contact since the chip load was last unknown
+  float datasheet_error_mm = 0.0F;  ///< what a datasheet within its tolerance may make of the chip load
+  bool is_inside_law = true;        ///< the contact law was not clamped
+  std::uint32_t frames_known = 0;   ///< frames in contact since the chip load was last unknown
 };
 
 struct Verdict {
@@ -42,10 +44,14 @@ class WearJudge {
     return now;
   }
 
+  /// The evidence is not to be trusted now: nothing that was seen so far counts towards a verdict.
+  void distrust() { frames_high_ = frames_raised_ = frames_low_ = 0; }
+  [[nodiscard]] bool is_worn() const { return is_worn_; }
+
   /// A new tool.
   void tool_changed() {
     is_worn_ = false;
-    frames_high_ = frames_raised_ = frames_low_ = 0;
+    distrust();
   }
 
  private:
@@ -58,6 +64,7 @@ class WearJudge {
   Verdict judge_now(const ChipLoadEvidence& e) {
     if (!e.has_signals) return {HealthState::kNotEnoughData, ReasonCode::kSensorMissing};
     if (!e.is_in_contact) return {HealthState::kNotEnoughData, ReasonCode::kWearNoContact};
+    if (!e.is_inside_law) return {HealthState::kNotEnoughData, ReasonCode::kModelOutsideLaw};
     if (e.frames_known < kSettlingFrames || !(e.standard_error_mm <= kSettledFraction * e.reference_mm))
       return {HealthState::kNotEnoughData, ReasonCode::kWearSettling};
     count(e);
@@ -73,9 +80,10 @@ class WearJudge {
   void count(const ChipLoadEvidence& e) {
     const float certain_low = e.estimate_mm - 2.0F * e.standard_error_mm;
     const float certain_high = e.estimate_mm + 2.0F * e.standard_error_mm;
-    frames_high_ = certain_low > limits_.replace * e.reference_mm ? frames_high_ + 1 : 0;
+    frames_high_ =
+        certain_low - e.datasheet_error_mm > limits_.replace * e.reference_mm ? frames_high_ + 1 : 0;
     frames_raised_ = certain_low > limits_.watch * e.reference_mm ? frames_raised_ + 1 : 0;
-    frames_low_ = certain_high < limits_.low * e.reference_mm ? frames_low_ + 1 : 0;
+    frames_low_ = certain_high + e.datasheet_error_mm < limits_.low * e.reference_mm ? frames_low_ + 1 : 0;
   }
 
   Limits limits_;

@@ -82,6 +82,7 @@ inline constexpr auto kFields<WearLimits> = std::tuple{
     &WearLimits::replace_ratio,
     &WearLimits::low_ratio,
     &WearLimits::hold_s,
+    &WearLimits::datasheet_tolerance,
 };
 
 template <>

@@ -26,6 +26,6 @@ std::string_view reason_of(ParameterStatus status);
 double datasheet_value(const MachineParameters& machine, Parameter parameter);
 
 /// All flags, in the order of their bits.
-inline constexpr std::uint16_t kFrameFlagCount = 13;
+inline constexpr std::uint16_t kFrameFlagCount = 14;
 
 }  // namespace morepro::host
