@@ -63,6 +63,7 @@ class SpindleParameterFilter {
     i_ = y.current_a;
     covariance_.restart(0, y.speed_variance);
     covariance_.restart(1, y.current_variance);
+    state_variance_ = {y.speed_variance, y.current_variance};
   }
 
   /// Over the period that ended with the present frame, with the chip load that is being cut (not used in the
@@ -71,19 +72,26 @@ class SpindleParameterFilter {
                Real current_variance) {
     const auto [kt, inertia, inductance, resistance, kv] = value_;
     const Real per_inertia = Real(1) / inertia, per_inductance = Real(1) / inductance;
-    const auto contact =
-        input.contact > Real(0) ? law_.at_thermal_factor(w_, chip_load_mm, input.thermal_factor) : ContactTorque<Real>{};
+    const auto contact = input.contact > Real(0)
+                             ? law_.at_thermal_factor(w_, chip_load_mm, input.thermal_factor)
+                             : ContactTorque<Real>{};
     const Real dw = (kt * i_ - viscous_friction_ * w_ - contact.torque_nm) * per_inertia;
     const Real di = (input.armature_voltage_v - resistance * i_ - kv * w_) * per_inductance;
     const Matrix a{-(viscous_friction_ + contact.per_speed) * per_inertia, kt * per_inertia,
                    -kv * per_inductance, -resistance * per_inductance};
     const Matrix phi = held_response(a);
     const Matrix f = (a * phi).plus_identity();
-    const Values from_speed{kt * i_ * per_inertia, -dw, Real(0), Real(0), Real(0)};
     const Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
-    const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * covariance_.variance(1);
+    const Real w_variance = state_variance_[0], i_variance = state_variance_[1];
+    w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
+    i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
+    const bool speed_moves = moves(w_change, f.a00 - Real(1), w_variance, f.a01, i_variance);
+    const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * i_variance;
+    const Values from_speed{kt * i_regressor_ * per_inertia, speed_moves ? -dw : Real(0), Real(0), Real(0),
+                            Real(0)};
     const Values from_current{Real(0), Real(0), current_moves ? -di : Real(0),
-                              -resistance * i_ * per_inductance, -kv * w_ * per_inductance};
+                              -resistance * i_regressor_ * per_inductance,
+                              -kv * w_regressor_ * per_inductance};
     std::array<Values, 2> g;
     for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
       g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
@@ -132,9 +140,9 @@ class SpindleParameterFilter {
   /// Process noise of w and i per step, as a share of one measurement's variance.
   static constexpr double kProcessShare = 0.01;
 
-  /// The inductance learns only from changes of the current that are so many standard deviations of its
-  /// estimate: a regressor that is nothing but noise pumps its parameter in one direction, and claims to know
-  /// it.
+  /// Inertia and inductance learn only from changes that are so many standard deviations - of the current's
+  /// estimate for the inductance, of what the state's noise does to the predicted change for the inertia: a
+  /// regressor that is nothing but noise pumps its parameter in one direction, and claims to know it.
   static constexpr double kMoves = 10.0;
 
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
@@ -154,6 +162,19 @@ class SpindleParameterFilter {
     return series * period_s_;
   }
 
+  static bool moves(Real change, Real per_w, Real w_variance, Real per_i, Real i_variance) {
+    const Real noise = per_w * per_w * w_variance + per_i * per_i * i_variance;
+    return change * change > Real(kMoves * kMoves) * noise;
+  }
+
+  /// A regressor follows its state only where the state has moved beyond its own noise. Otherwise the noise
+  /// of speed and current would turn the line on which resistance and back-EMF constant lie, and both would
+  /// seem to be known.
+  static Real held_regressor(Real held, Real state, Real variance) {
+    const Real distance = state - held;
+    return distance * distance > Real(kMoves * kMoves) * variance ? state : held;
+  }
+
   /// Second-order term of the change in one period, which the linearised covariance does not see: a product
   /// or quotient of parameters with relative variance s is wrong by about s; the factor of 16 makes starts
   /// wrong by a factor of two safe. Without it the first transient makes the filter certain of wrong values.
@@ -165,6 +186,8 @@ class SpindleParameterFilter {
   template <std::size_t kElement>
   Real update_one(Real innovation, Real variance, Values& step) {
     const auto update = covariance_.template update<kElement>(variance);
+    // P+ of the measured element is its gain times the measurement's variance.
+    state_variance_[kElement] = update.gain[kElement] * variance;
     w_ += update.gain[0] * innovation;
     i_ += update.gain[1] * innovation;
     for (std::size_t j = 0; j < kSpindleParameterCount; ++j) step[j] += update.gain[2 + j] * innovation;
@@ -179,6 +202,8 @@ class SpindleParameterFilter {
   Values datasheet_;
   Values value_{};
   Real w_{}, i_{};
+  std::array<Real, 2> state_variance_{};  ///< of w and i after the last frame
+  Real w_regressor_{}, i_regressor_{};
   Values known_{};  ///< relative variance of each parameter, refreshed by its drift
   Covariance covariance_{{}};
 };

@@ -148,6 +148,32 @@ TEST(Identification, ConstantInputsLeaveParametersUnknownAndClaimNothingFalse) {
   }
 }
 
+/// Claimed and true distance of resistance and back-EMF constant, in standard errors, after six seconds in
+/// which the speed only swings a little: enough not to be at rest, not enough to tell the two apart.
+TEST(Identification, NoiseDoesNotTellResistanceFromBackEmf) {
+  const auto c = thesis_configuration();
+  auto tracker = std::make_unique<ParameterTracker>(c);
+  test::SpindleSimulation machine(c, 3);
+  machine.input = {.armature_voltage_v = 48.0, .contact = 0.0, .tool_temperature_degc = 500.0};
+  HeldInputs held(c.machine);
+  for (int k = 0; k < 60000; ++k) {
+    machine.input.armature_voltage_v = 48.0 + 1.5 * std::sin(2.0e-3 * k);
+    SensorFrame frame;
+    frame.set(Channel::kArmatureVoltage, static_cast<float>(machine.input.armature_voltage_v));
+    frame.set(Channel::kContact, 0.0F);
+    held.take({frame, frame.present});
+    machine.step();
+    tracker->step_spindle(held, machine.measure(), true);
+    tracker->refresh();
+  }
+  for (Parameter parameter : {Parameter::kTorqueConstant, Parameter::kInertia, Parameter::kInductance}) {
+    const auto& estimate = tracker->estimates()[index_of(parameter)];
+    EXPECT_NEAR(static_cast<double>(estimate.value), true_values(c)[index_of(parameter)],
+                3.0 * static_cast<double>(estimate.standard_error))
+        << index_of(parameter);
+  }
+}
+
 TEST(Identification, IsNotRunWhereTheSamplingMissesTheInductance) {
   auto slow = reference_configuration();
   slow.sampling.rate_hz = 500.0;
