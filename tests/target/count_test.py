@@ -21,13 +21,17 @@ def main(board, image, recording):
         return 1
     limits = json.loads(BUDGET.read_text())["instructions"]
     over = 0
+    unseen = set(limits)
     print(f"{'function':28} {'mean':>7} {'most':>7} {'limit':>7}  estimated cycles of the mean")
     for line in text.splitlines():
         name, mean, most = line.split()[0], *map(int, line.split()[1:])
         limit = limits.get(name)
         over += limit is not None and mean > limit
+        unseen.discard(name)
         print(f"{name:28} {mean:7} {most:7} {limit or '-':>7}  {1.6 * mean:.0f} .. {2.5 * mean:.0f}")
-    return 1 if over else 0
+    if unseen:
+        print(f"the image did not count {', '.join(sorted(unseen))}")
+    return 1 if over or unseen else 0
 
 
 if __name__ == "__main__":
