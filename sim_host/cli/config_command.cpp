@@ -4,6 +4,7 @@
 #include "sim_host/cli/command.hpp"
 #include "sim_host/machine/machine_description.hpp"
 #include "sim_host/machine/machine_file_writer.hpp"
+#include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/output_file.hpp"
 
 namespace morepro::host {
@@ -15,6 +16,7 @@ struct ConfigArguments {
 };
 
 void run(const ConfigArguments& arguments) {
+  check_distinct({{"--machine", arguments.machine}}, {{"--out", arguments.out}});
   const MachineDescription machine = load_machine(arguments.machine);
   OutputFile file(arguments.out);
   file.write(machine_file_text(machine));

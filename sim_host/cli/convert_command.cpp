@@ -8,6 +8,7 @@
 #include "sim_host/recording/recording_format.hpp"
 #include "sim_host/recording/recording_writer.hpp"
 #include "sim_host/replay/replay_session.hpp"
+#include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/progress.hpp"
 
 namespace morepro::host {
@@ -33,6 +34,7 @@ std::uint64_t copy(RecordingReader& in, RecordingWriter& out, Progress& progress
 }
 
 void run(const ConvertArguments& arguments) {
+  check_distinct({{"in", arguments.in}, {"--machine", arguments.machine}}, {{"out", arguments.out}});
   RecordingReader in(arguments.in);
   std::vector<std::string> notices;
   const MachineDescription machine = machine_for(in, arguments.machine, notices);
@@ -46,7 +48,7 @@ void run(const ConvertArguments& arguments) {
   }
 
   OutputFile file(arguments.out);
-  RecordingWriter out(file, in.info().metadata, in.info().recorded, machine.configuration);
+  RecordingWriter out(file, in.info(), machine.configuration);
   Progress progress("convert", in.frame_count(), arguments.progress == "auto");
   const std::uint64_t left_out = copy(in, out, progress);
   out.finish();

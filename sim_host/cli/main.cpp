@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "sim_host/cli/command.hpp"
+#include "sim_host/support/suggestion.hpp"
 #include "sim_host/support/user_error.hpp"
 
 namespace {
@@ -16,6 +21,18 @@ int report(int status, const char* sentence) {
   return status;
 }
 
+/// The sentence for a first word that is no command; empty where it is one, or an option.
+std::string unknown_command(const CLI::App& program, std::string_view word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (word.starts_with('-') || std::find(known.begin(), known.end(), word) != known.end()) return {};
+  const std::string_view near = morepro::host::nearest(word, known);
+  const std::string meant =
+      near.empty() ? fmt::format("one of {}", fmt::join(known, ", ")) : fmt::format("'{}'", near);
+  return fmt::format("unknown command '{}'; did you mean {}?", word, meant);
+}
+
 int run(int argc, char** argv) {
   CLI::App program{"Tool wear and machine health from sensor recordings: the monitor of the board, on a PC.",
                    "morepro"};
@@ -25,6 +42,13 @@ int run(int argc, char** argv) {
   morepro::host::add_replay(program);
   morepro::host::add_convert(program);
   morepro::host::add_config(program);
+  const std::string_view word = argc > 1 ? argv[1] : "-";
+  if (word == "help") {
+    fmt::print("{}", program.help());
+    return kDone;
+  }
+  if (const std::string sentence = unknown_command(program, word); !sentence.empty())
+    return report(kWrongUsage, sentence.c_str());
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {

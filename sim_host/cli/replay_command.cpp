@@ -12,6 +12,7 @@
 #include "sim_host/replay/replay_session.hpp"
 #include "sim_host/replay/result_json.hpp"
 #include "sim_host/replay/result_text.hpp"
+#include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/progress.hpp"
 
 namespace morepro::host {
@@ -66,8 +67,7 @@ ReplayResult replay_into(const ReplayFiles& files, RecordingReader& recording,
                          const MachineDescription& machine, bool with_progress) {
   Progress progress("replay", recording.frame_count(), with_progress);
   std::optional<HealthCsv> rows;
-  const HypothesisGrid& grid = machine.configuration.grid;
-  if (files.frames) rows.emplace(*files.frames, grid.first_mm, grid.step_mm);
+  if (files.frames) rows.emplace(*files.frames, machine.configuration, recording.info().start_us);
   const auto on_frame = [&](const Health& health) {
     if (rows) rows->write(health);
     progress.advance();
@@ -76,6 +76,9 @@ ReplayResult replay_into(const ReplayFiles& files, RecordingReader& recording,
 }
 
 void run(const ReplayArguments& arguments) {
+  check_distinct(
+      {{"the recording", arguments.recording}, {"--machine", arguments.machine}},
+      {{"--json", arguments.json}, {"--out", arguments.out}, {"--health-out", arguments.health_out}});
   RecordingReader recording(arguments.recording);
   std::vector<std::string> notices;
   MachineDescription machine = machine_for(recording, arguments.machine, notices);

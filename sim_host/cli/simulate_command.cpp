@@ -12,6 +12,7 @@
 #include "sim_host/recording/recording_writer.hpp"
 #include "sim_host/simulate/datasheet.hpp"
 #include "sim_host/simulate/simulation.hpp"
+#include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/progress.hpp"
 
 namespace morepro::host {
@@ -60,6 +61,8 @@ void write_machine(const SimulateArguments& arguments, MachineDescription machin
 }
 
 void run(const SimulateArguments& arguments) {
+  check_distinct({{"--machine", arguments.machine}},
+                 {{"--out", arguments.out}, {"--machine-out", arguments.machine_out}});
   MachineDescription machine = load_machine(arguments.machine);
   check_described(machine);
   const SimulationOptions options = options_of(arguments, machine.configuration.sampling.rate_hz);
@@ -71,8 +74,10 @@ void run(const SimulateArguments& arguments) {
   OutputFile recording(arguments.out);
   std::unique_ptr<OutputFile> datasheet;
   if (!arguments.machine_out.empty()) datasheet = std::make_unique<OutputFile>(arguments.machine_out);
-  RecordingWriter writer(recording, metadata_of(arguments, machine, options.rate_hz), simulation.recorded(),
-                         machine.configuration);
+  RecordingInfo info;
+  info.metadata = metadata_of(arguments, machine, options.rate_hz);
+  info.recorded = simulation.recorded();
+  RecordingWriter writer(recording, info, machine.configuration);
   Progress progress("simulate", simulation.frame_count(), arguments.progress == "auto");
   for (SensorFrame frame; simulation.next(frame); progress.advance()) writer.write(frame);
   writer.finish();

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "lib/monitor/configuration_check.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
 #include "sim_host/machine/machine_key.hpp"
 #include "sim_host/machine/machine_rules.hpp"
@@ -105,11 +106,16 @@ class MachineFile {
     const auto value = node->value<double>();
     if (!node->is_number() || !value) refuse(name, "is no number; write a number without quotes and unit");
     if (!std::isfinite(*value)) refuse(name, "is not finite; write the machine's value");
+    if (!has_possible_magnitude(*value, detail::kLargest)) refuse_magnitude(name, *value);
     return *value;
   }
 
   [[noreturn]] void refuse(const std::string& name, std::string_view sentence) const {
     throw UserError(machine_.places.at(name), fmt::format("{} {}", name, sentence));
+  }
+
+  [[noreturn]] void refuse_magnitude(const std::string& name, double value) const {
+    refuse(name, fmt::format("= {:g} has a magnitude that no machine has; check its unit", value));
   }
 
   void read_name() {
@@ -238,6 +244,9 @@ class MachineFile {
     }
     SensorNoise& sensor = machine_.configuration.sensors[channel];
     sensor = {number(*table, name, "noise", 0.0), number(*table, name, "lsb", 0.0)};
+    for (const auto& [key, value] : {std::pair{".noise", sensor.noise}, std::pair{".lsb", sensor.lsb}}) {
+      if (!has_possible_magnitude(value, detail::kLargestNoise)) refuse_magnitude(name + key, value);
+    }
     if (!(sensor.noise >= 0.0)) refuse(name + ".noise", "is negative, which is impossible; correct it");
     if (!(sensor.lsb >= 0.0)) refuse(name + ".lsb", "is negative, which is impossible; correct it");
     if (!(sensor.variance() > 0.0))

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lib/monitor/configuration_check.hpp"
 #include "lib/plant/contact_law.hpp"
 
 namespace morepro::host {
@@ -48,6 +49,11 @@ void check_tables(const MachineDescription& machine, const std::string& path) {
 }
 
 }  // namespace
+
+bool has_possible_magnitude(double value, double largest) {
+  const double magnitude = std::fabs(value);
+  return magnitude == 0.0 || (magnitude >= detail::kSmallest && magnitude <= largest);
+}
 
 void check_rules(const MachineDescription& machine, const std::string& path) {
   check_tables(machine, path);

@@ -5,6 +5,9 @@
 
 namespace morepro::host {
 
+/// The monitor's limits of a single value: beyond them it is a mistake of units. 0 is possible.
+bool has_possible_magnitude(double value, double largest);
+
 /// What must hold between the values of a machine file. Throws UserError at the value that breaks a rule:
 /// melting above reference temperature, whole teeth, a chip load inside the contact law, [tool] with
 /// [contact].

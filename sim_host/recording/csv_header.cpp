@@ -28,6 +28,12 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+// Spreadsheets put names between quotes.
+std::string_view unquoted(std::string_view name) {
+  const bool is_quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
+  return is_quoted ? trimmed(name.substr(1, name.size() - 2)) : name;
+}
+
 class HeaderParser {
  public:
   HeaderParser(const std::string& file, std::string_view text) : text_(text) {
@@ -72,14 +78,14 @@ class HeaderParser {
     std::size_t start = 0;
     while (start <= line.size()) {
       const std::size_t end = std::min(line.find(',', start), line.size());
-      add_column(trimmed(line.substr(start, end - start)), start + 1);
+      add_column(unquoted(trimmed(line.substr(start, end - start))), start + 1);
       start = end + 1;
     }
     check_time_column(line);
     if (header_.info.recorded == 0) {
       throw UserError({header_.info.file, line_, 1},
-                      fmt::format("no column is a signal of the machine; use names such as '{}' or '{}'",
-                                  kChannels[0].column, kChannels[1].column));
+                      fmt::format("no column is a signal of the machine{}; use names such as '{}' or '{}'",
+                                  suggestion(), kChannels[0].column, kChannels[1].column));
     }
   }
 
@@ -121,7 +127,19 @@ class HeaderParser {
     if (header_.columns.size() == 1 && line.find_first_of(";\t") != std::string_view::npos) {
       throw UserError(place, "the columns are not separated by commas; write 'time_s,...' with commas");
     }
-    throw UserError(place, "the header has no column 'time_s'; add the time in seconds under that name");
+    throw UserError(
+        place, fmt::format("the header has no column 'time_s'{}; add the time in seconds under that name",
+                           suggestion()));
+  }
+
+  /// " (did you mean 'x' by 'y'?)" for the first column that is nearly a known one.
+  [[nodiscard]] std::string suggestion() const {
+    for (const CsvColumn& column : header_.columns) {
+      const std::string_view near = nearest(column.name, kKnownColumns);
+      if (column.kind == CsvColumn::Kind::kIgnored && !near.empty())
+        return fmt::format(" (did you mean '{}' by '{}'?)", near, column.name);
+    }
+    return {};
   }
 
   std::string_view text_;

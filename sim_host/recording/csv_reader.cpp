@@ -7,37 +7,27 @@
 #include <string_view>
 #include <vector>
 
+#include "sim_host/recording/recording_time.hpp"
 #include "sim_host/support/user_error.hpp"
 
 namespace morepro::host {
 namespace {
 
-constexpr std::size_t kStepsForRate = 10000;
+constexpr std::size_t kRowsForRate = 10001;
+constexpr double kStepTolerance = 0.2;
+constexpr double kRateTolerance = 1.0e-3;
 
-std::uint32_t wrapped_microseconds(double time_s) {
-  return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::llround(time_s * 1.0e6)));
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
+double median_step_s(const std::vector<double>& times_s) {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < times_s.size(); ++i) steps_s.push_back(times_s[i] - times_s[i - 1]);
+  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+  std::nth_element(steps_s.begin(), middle, steps_s.end());
   return *middle;
 }
 
-// Written times are rounded: at 3 kHz the steps are 333 and 334 us. The mean of the ordinary steps is better
-// than their median, and five digits are all that such times know.
-double rate_of(std::vector<double>& steps_s) {
-  const double typical_s = median(steps_s);
-  double sum_s = 0.0;
-  double count = 0.0;
-  for (const double step_s : steps_s) {
-    if (std::fabs(step_s - typical_s) > 0.05 * typical_s) continue;
-    sum_s += step_s;
-    count += 1.0;
-  }
-  const double rate_hz = count / sum_s;
-  const double last_digit = std::pow(10.0, std::floor(std::log10(rate_hz)) - 4.0);
-  return std::round(rate_hz / last_digit) * last_digit;
+/// Does every typical step span a whole number of samples?
+bool is_multiple(double steps) {
+  return steps > 1.0 - kStepTolerance && std::fabs(steps - std::round(steps)) <= kStepTolerance;
 }
 
 }  // namespace
@@ -65,20 +55,39 @@ void CsvReader::read_row() {
 }
 
 void CsvReader::infer_rate() {
-  std::vector<double> steps_s;
-  while (steps_s.size() < kStepsForRate && has_row()) {
+  std::vector<double> times_s;
+  while (times_s.size() < kRowsForRate && has_row()) {
     read_row();
-    if (tally_.rows++ > 0) steps_s.push_back(row_.time_s - previous_time_s_);
+    ++tally_.rows;
+    times_s.push_back(row_.time_s);
     previous_time_s_ = row_.time_s;
   }
-  if (steps_s.empty()) {
+  if (times_s.size() < 2) {
     throw UserError({header_.info.file, line_, 0},
                     fmt::format("the recording has {} row(s) of data; at least two are needed", tally_.rows));
   }
-  header_.info.rate_hz = rate_of(steps_s);
+  header_.info.rate_hz = rate_of(times_s);
+  header_.info.start_us = microseconds(times_s[0]);
+  grid_ = SamplingGrid(times_s, header_.info.rate_hz);
   tally_ = {};
   offset_ = header_.first_row_offset;
   line_ = header_.first_row_line;
+}
+
+double CsvReader::rate_of(const std::vector<double>& times_s) {
+  const double step_s = median_step_s(times_s);
+  const double found_hz = refined_rate_hz(times_s, step_s);
+  if (header_.info.metadata_value(kRateKey).empty()) return found_hz;
+  const double stated_hz = header_.info.metadata_number(kRateKey).value_or(0.0);
+  const double steps = step_s * stated_hz;
+  if (!is_multiple(steps)) {
+    header_.info.warnings.push_back(
+        fmt::format("{}: '# {}: {}' does not fit the time steps, which give {} Hz; those are used",
+                    header_.info.file, kRateKey, header_.info.metadata_value(kRateKey), found_hz));
+    return found_hz;
+  }
+  const double rate_hz = refined_rate_hz(times_s, 1.0 / stated_hz);
+  return std::fabs(rate_hz / stated_hz - 1.0) <= kRateTolerance ? stated_hz : rate_hz;
 }
 
 bool CsvReader::next(SensorFrame& frame) {
@@ -94,13 +103,12 @@ bool CsvReader::next(SensorFrame& frame) {
   previous_time_s_ = row_.time_s;
   frame = row_.frame;
   frame.sequence = sequence_;
-  frame.time_us = wrapped_microseconds(row_.time_s);
+  frame.time_us = wrapped(microseconds(row_.time_s));
   return true;
 }
 
 void CsvReader::count_gap() {
-  const double step = (row_.time_s - previous_time_s_) * header_.info.rate_hz;
-  const auto frames = std::max<std::int64_t>(1, std::llround(step));
+  const std::int64_t frames = grid_.steps_to(row_.time_s);
   sequence_ += static_cast<std::uint32_t>(frames);
   if (frames == 1) return;
   if (tally_.gaps++ == 0) tally_.first_gap_s = previous_time_s_;

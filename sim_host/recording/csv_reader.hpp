@@ -1,11 +1,13 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "lib/frame/sensor_frame.hpp"
 #include "sim_host/recording/csv_header.hpp"
 #include "sim_host/recording/csv_row.hpp"
 #include "sim_host/recording/recording_info.hpp"
+#include "sim_host/recording/sampling_grid.hpp"
 #include "sim_host/support/input_file.hpp"
 
 namespace morepro::host {
@@ -15,7 +17,8 @@ namespace morepro::host {
 /// missing frames.
 class CsvReader {
  public:
-  /// Reads the header and infers the sampling rate: that of the median of the first 10,000 time steps.
+  /// Reads the header and infers the sampling rate from the first 10,000 time steps: the one of the metadata
+  /// where those are multiples of its step, else the one that they show.
   /// Throws UserError for everything that read_csv_header and next() refuse, and for fewer than two rows.
   explicit CsvReader(const std::string& path);
 
@@ -29,6 +32,7 @@ class CsvReader {
   [[nodiscard]] bool has_row() const;
   void read_row();
   void infer_rate();
+  double rate_of(const std::vector<double>& times_s);
   void count_gap();
 
   InputFile file_;
@@ -39,6 +43,7 @@ class CsvReader {
   double previous_time_s_ = 0.0;
   double first_time_s_ = 0.0;
   std::uint32_t sequence_ = 0;
+  SamplingGrid grid_;
   RecordingTally tally_;
 };
 

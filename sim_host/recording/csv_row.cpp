@@ -6,13 +6,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim_host/recording/recording_time.hpp"
 #include "sim_host/support/user_error.hpp"
 
 namespace morepro::host {
 namespace {
-
-// Microseconds of a larger time do not fit 64 bits with room to spare.
-constexpr double kLongestTimeS = 9.0e12;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool ends_field(char c) { return c == ',' || c == '\n'; }

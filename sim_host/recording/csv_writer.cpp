@@ -3,12 +3,16 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <iterator>
+
+#include "sim_host/recording/recording_time.hpp"
 
 namespace morepro::host {
 
-CsvWriter::CsvWriter(OutputFile& file, const Metadata& metadata, std::uint16_t recorded)
-    : file_(file), recorded_(recorded) {
+CsvWriter::CsvWriter(OutputFile& file, const Metadata& metadata, std::uint16_t recorded,
+                     std::int64_t start_us)
+    : file_(file), recorded_(recorded), time_us_(start_us) {
   std::string head;
   for (const auto& [key, value] : metadata) head += fmt::format("# {}: {}\n", key, value);
   head += "time_s";
@@ -19,14 +23,14 @@ CsvWriter::CsvWriter(OutputFile& file, const Metadata& metadata, std::uint16_t r
 }
 
 bool CsvWriter::write(const SensorFrame& frame) {
-  const auto step_us = static_cast<std::int32_t>(frame.time_us - previous_us_);
-  if (!is_first_ && step_us <= 0) return false;
-  time_us_ = is_first_ ? std::int64_t{frame.time_us} : time_us_ + step_us;
-  previous_us_ = frame.time_us;
+  const std::int64_t time_us = unwrapped(frame.time_us, time_us_);
+  if (!is_first_ && time_us <= time_us_) return false;
+  time_us_ = time_us;
   is_first_ = false;
   fmt::memory_buffer line;
   const auto out = std::back_inserter(line);
-  fmt::format_to(out, FMT_COMPILE("{}.{:06}"), time_us_ / 1000000, time_us_ % 1000000);
+  fmt::format_to(out, FMT_COMPILE("{}{}.{:06}"), time_us_ < 0 ? "-" : "", std::abs(time_us_) / 1000000,
+                 std::abs(time_us_) % 1000000);
   for (std::size_t i = 0; i < kChannelCount; ++i) {
     const auto channel = static_cast<Channel>(i);
     if (!(recorded_ & bit_of(channel))) continue;

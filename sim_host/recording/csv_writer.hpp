@@ -11,8 +11,9 @@ namespace morepro::host {
 /// sample. Sequence numbers are not kept: the time says which rows are missing.
 class CsvWriter {
  public:
-  /// `recorded`: bit_of(channel) of the columns. The file is the caller's to commit.
-  CsvWriter(OutputFile& file, const Metadata& metadata, std::uint16_t recorded);
+  /// `recorded`: bit_of(channel) of the columns. `start_us`: time of the first frame, of which frames hold
+  /// the lower 32 bits. The file is the caller's to commit.
+  CsvWriter(OutputFile& file, const Metadata& metadata, std::uint16_t recorded, std::int64_t start_us);
 
   /// Returns false, and writes nothing, where the frame's time is not after the one before.
   bool write(const SensorFrame& frame);
@@ -20,8 +21,7 @@ class CsvWriter {
  private:
   OutputFile& file_;
   std::uint16_t recorded_;
-  std::int64_t time_us_ = 0;
-  std::uint32_t previous_us_ = 0;
+  std::int64_t time_us_;
   bool is_first_ = true;
 };
 

@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "sim_host/recording/recording_time.hpp"
+
 namespace morepro::host {
 
 NativeReader::NativeReader(const std::string& path)
@@ -27,7 +29,7 @@ void NativeReader::count(const SensorFrame& frame) {
   if (tally_.rows++ > 0) {
     if (frames > 1) {
       tally_.missing_rows += static_cast<std::uint64_t>(frames) - 1;
-      if (tally_.gaps++ == 0) tally_.first_gap_s = tally_.duration_s;
+      if (tally_.gaps++ == 0) tally_.first_gap_s = seconds(scan_.info.start_us) + tally_.duration_s;
     }
     if (step_us > 0) elapsed_us_ += static_cast<std::uint64_t>(step_us);
     tally_.duration_s = 1.0e-6 * static_cast<double>(elapsed_us_);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <variant>
 
 #include "lib/wire/decoder.hpp"
 #include "sim_host/recording/native_rate.hpp"
+#include "sim_host/recording/recording_time.hpp"
 #include "sim_host/support/user_error.hpp"
 
 namespace morepro::host {
@@ -20,7 +22,7 @@ class Scanner {
   void operator()(const wire::Ready&) {}
 
   void operator()(const SensorFrame& frame) {
-    ++scan_.integrity.frames;
+    if (scan_.integrity.frames++ == 0) scan_.info.start_us = unwrapped(frame.time_us, stated_start_us());
     scan_.info.recorded |= frame.present;
     rate_.add(frame);
   }
@@ -44,6 +46,13 @@ class Scanner {
   [[nodiscard]] double rate_hz() const { return rate_.rate_hz(); }
 
  private:
+  /// Without a statement the first frame's time is between 0 and 2^32 us.
+  [[nodiscard]] std::int64_t stated_start_us() const {
+    constexpr std::int64_t kMiddleUs = std::int64_t{1} << 31;
+    const auto stated_s = scan_.info.metadata_number(kStartKey);
+    return stated_s && std::fabs(*stated_s) < kLongestTimeS ? microseconds(*stated_s) : kMiddleUs;
+  }
+
   NativeScan& scan_;
   NativeRate rate_;
 };

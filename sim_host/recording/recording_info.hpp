@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,12 +11,18 @@ namespace morepro::host {
 /// "key: value" lines of a recording, in order.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
+/// Key of a native recording: the time of its first frame in seconds, where 32 bits do not hold it.
+inline constexpr std::string_view kStartKey = "start_s";
+/// Key: samples per second, so that rows that were dropped regularly are known to be missing.
+inline constexpr std::string_view kRateKey = "rate_hz";
+
 /// What a recording says about itself before its first frame.
 struct RecordingInfo {
   std::string file;
   Metadata metadata;
   std::uint16_t recorded = 0;         ///< bit_of(channel): the recording has that signal
-  double rate_hz = 0.0;               ///< median of the sampling rate
+  double rate_hz = 0.0;               ///< sampling rate
+  std::int64_t start_us = 0;          ///< time of the first frame, of which a frame holds the lower 32 bits
   std::vector<std::string> warnings;  ///< sentences for the user; nothing was lost silently
 
   /// The value of a metadata key; empty when the recording has none.
@@ -25,6 +32,8 @@ struct RecordingInfo {
     }
     return {};
   }
+  /// The same as a number; empty where it is none.
+  [[nodiscard]] std::optional<double> metadata_number(std::string_view key) const;
 };
 
 /// What was counted while a recording was read.

@@ -14,9 +14,9 @@ namespace morepro::host {
 /// Writes a recording in the format that the file's ending names. The file is the caller's to commit.
 class RecordingWriter {
  public:
-  /// `recorded`: bit_of(channel) of what the frames hold. A native recording begins with the configuration.
-  RecordingWriter(OutputFile& file, const Metadata& metadata, std::uint16_t recorded,
-                  const MonitorConfiguration& configuration);
+  /// Of `info` the metadata, the recorded channels and the start are taken. A native recording begins with
+  /// the configuration.
+  RecordingWriter(OutputFile& file, const RecordingInfo& info, const MonitorConfiguration& configuration);
 
   /// Returns false, and writes nothing, where the format cannot hold the frame: CSV holds no repeated and no
   /// old one.

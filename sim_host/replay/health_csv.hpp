@@ -1,5 +1,8 @@
 #pragma once
+#include <cstdint>
+
 #include "lib/monitor/health.hpp"
+#include "lib/monitor/monitor_configuration.hpp"
 #include "sim_host/support/output_file.hpp"
 
 namespace morepro::host {
@@ -8,14 +11,15 @@ namespace morepro::host {
 /// to commit.
 class HealthCsv {
  public:
-  /// `grid_first_mm`, `grid_step_mm`: chip load of hypothesis k is first + k step.
-  HealthCsv(OutputFile& file, double grid_first_mm, double grid_step_mm);
+  /// `start_us`: time of the first frame, of which frames hold the lower 32 bits.
+  HealthCsv(OutputFile& file, const MonitorConfiguration& configuration, std::int64_t start_us);
   void write(const Health& health);
 
  private:
   OutputFile& file_;
-  double grid_first_mm_;
-  double grid_step_mm_;
+  HypothesisGrid grid_;
+  bool has_probability_;
+  std::int64_t time_us_;
 };
 
 }  // namespace morepro::host

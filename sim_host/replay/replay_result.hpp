@@ -7,6 +7,7 @@
 
 #include "lib/monitor/health.hpp"
 #include "lib/monitor/monitor.hpp"
+#include "lib/monitor/reason.hpp"
 #include "sim_host/recording/recording_info.hpp"
 
 namespace morepro::host {
@@ -38,6 +39,7 @@ struct ReplayResult {
   std::string machine_name;
   bool has_spindle = true;  ///< the machine is described in this part
   bool has_feed = true;
+  bool has_contact = true;
   std::uint16_t seen = 0;  ///< bit_of(channel): at least one sample was there
   MonitorConfiguration configuration;
 
@@ -57,6 +59,10 @@ struct ReplayResult {
   double elapsed_s = 0.0;
 
   [[nodiscard]] bool has_chip_load() const { return judged.chip_load_state == ChipLoadState::kValid; }
+  /// The thesis's rule selects without probabilities.
+  [[nodiscard]] bool has_probability() const {
+    return has_chip_load() && configuration.rule != DecisionRule::kThesis;
+  }
   [[nodiscard]] double frames_per_s() const { return static_cast<double>(frames) / elapsed_s; }
 };
 
@@ -69,5 +75,7 @@ bool is_described(const ReplayResult& result, Parameter parameter);
 /// cut. Where nothing can be said about the tool it is NOT_ENOUGH_DATA; what the monitor has against the rest
 /// of the model then stands with the parts.
 Health verdict_of(const ReplayResult& result);
+/// The words for it: a machine file that describes no tool is not a missing sensor.
+ReasonText verdict_reason(const ReplayResult& result);
 
 }  // namespace morepro::host

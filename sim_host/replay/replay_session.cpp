@@ -7,6 +7,7 @@
 
 #include "firmware/app.hpp"
 #include "lib/monitor/configuration_error.hpp"
+#include "sim_host/recording/recording_time.hpp"
 #include "sim_host/replay/evaluated_parts.hpp"
 #include "sim_host/replay/replay_board.hpp"
 #include "sim_host/replay/result_collector.hpp"
@@ -16,13 +17,38 @@ namespace {
 
 using ReplayApp = firmware::App<ReplayBoard>;
 
+/// The keys of the machine file that values which the program chose were chosen from.
+std::string_view origin_of(std::string_view key) {
+  constexpr std::pair<std::string_view, std::string_view> kOrigins[] = {
+      {"grid.first_mm", "tool.chip_load_mm"},
+      {"grid.step_mm", "tool.chip_load_mm"},
+      {"tuning.chip_load_drift_mm", "tool.chip_load_mm"},
+      {"tuning.speed_process_noise_rad_s", "sensors.spindle_speed_rad_s.noise"},
+      {"tuning.current_process_noise_a", "sensors.armature_current_a.noise"},
+      {"tuning.feed_process_noise_m_s", "sensors.feed_speed_m_s.noise"}};
+  for (const auto& [chosen, origin] : kOrigins) {
+    if (chosen == key) return origin;
+  }
+  return key;
+}
+
+// Machine files and built-in machines have a possible rate: another one is the recording's.
+void check_rate(const MachineDescription& machine, const RecordingInfo& info) {
+  const double rate_hz = machine.configuration.sampling.rate_hz;
+  if (rate_hz >= 100.0 && rate_hz <= 20000.0) return;
+  throw UserError(fmt::format(
+      "{}: the recording is sampled at {:g} Hz, the monitor needs 100 .. 20000 Hz; record at such a "
+      "rate, or correct its time_s",
+      info.file, rate_hz));
+}
+
 void check_configuration(const MachineDescription& machine) {
   const ConfigurationResult result = std::make_unique<BoardMonitor>()->configure(machine.configuration);
   if (result.ok()) return;
   const std::string sentence =
       fmt::format("the monitor refuses machine '{}'{}{}: {}", machine.name,
                   result.key.empty() ? "" : " because of ", result.key, text_of(result.error));
-  const auto place = machine.places.find(result.key);
+  const auto place = machine.places.find(origin_of(result.key));
   if (place == machine.places.end()) throw UserError(sentence);
   throw UserError(place->second, sentence);
 }
@@ -35,17 +61,19 @@ void check_contact(const MachineDescription& machine, const RecordingReader& rec
   throw UserError(
       fmt::format("{}: the tool is in contact at {:.6f} s, but machine '{}' describes no contact; add "
                   "[tool] and [contact] to its file",
-                  recording.info().file, recording.tally().duration_s, machine.name));
+                  recording.info().file, seconds(recording.info().start_us) + recording.tally().duration_s,
+                  machine.name));
 }
 
 }  // namespace
 
 ReplayResult replay(RecordingReader& recording, const MachineDescription& machine,
                     const ReplayOutputs& outputs) {
+  check_rate(machine, recording.info());
   check_configuration(machine);
   ReplayBoard board(recording, machine.configuration, machine.usable_channels(), outputs.answers);
   const auto app = std::make_unique<ReplayApp>(board);
-  ResultCollector collector;
+  ResultCollector collector(recording.info().start_us);
   const auto start = std::chrono::steady_clock::now();
   if (!app->start()) throw UserError("the monitor took no configuration; this is a fault of the program");
   while (app->pass()) {
@@ -64,6 +92,7 @@ ReplayResult replay(RecordingReader& recording, const MachineDescription& machin
   result.machine_name = machine.name;
   result.has_spindle = machine.has_spindle;
   result.has_feed = machine.has_feed;
+  result.has_contact = machine.has_contact;
   result.configuration = machine.configuration;
   result.parts = evaluated_parts(machine, result);
   result.can_judge_tool = can_judge_tool(machine, result);

@@ -1,8 +1,10 @@
 #include "sim_host/replay/result_collector.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "lib/monitor/reason.hpp"
+#include "sim_host/recording/recording_time.hpp"
 #include "sim_host/replay/names.hpp"
 
 namespace morepro::host {
@@ -37,30 +39,28 @@ Health verdict_of(const ReplayResult& result) {
   return verdict;
 }
 
+ReasonText verdict_reason(const ReplayResult& result) {
+  const Health verdict = verdict_of(result);
+  if (result.has_contact || verdict.state != HealthState::kNotEnoughData)
+    return text_of(static_cast<ReasonCode>(verdict.reason));
+  return {ReasonCode::kNone, "TOOL_NOT_DESCRIBED",
+          "The machine file does not have both [tool] and [contact], so nothing can be said about the tool.",
+          "Only the axes were described.", "Add the tables [tool] and [contact] to the machine file."};
+}
+
 void ResultCollector::take(const SensorFrame& frame, const BoardMonitor& monitor) {
   const Health& health = monitor.health();
-  advance_time(frame.time_us);
+  ++kept_.frames;
+  time_us_ = std::max(time_us_, unwrapped(frame.time_us, time_us_));
   kept_.seen = static_cast<std::uint16_t>(kept_.seen | frame.present);
   if (frame.has(Channel::kChipLoad)) commanded_mm_ = frame.get(Channel::kChipLoad);
   if (health.frame_flags != 0) count_flags(health.frame_flags);
   note_change(health);
   if (health.chip_load_state != ChipLoadState::kValid) return;
   kept_.judged = health;
-  kept_.judged_time_s = 1.0e-6 * static_cast<double>(time_us_);
+  kept_.judged_time_s = seconds(time_us_);
   kept_.commanded_chip_load_mm = commanded_mm_;
   for (std::size_t i = 0; i < monitor.hypothesis_count(); ++i) kept_.probability[i] = monitor.probability(i);
-}
-
-void ResultCollector::advance_time(std::uint32_t time_us) {
-  const auto step_us = static_cast<std::int32_t>(time_us - previous_us_);
-  if (kept_.frames++ == 0) {
-    time_us_ = time_us;
-  } else if (step_us > 0) {
-    time_us_ += step_us;
-  } else {
-    return;
-  }
-  previous_us_ = time_us;
 }
 
 void ResultCollector::count_flags(std::uint16_t flags) {
@@ -78,7 +78,7 @@ void ResultCollector::note_change(const Health& health) {
     entry.time_s = kept_.timeline.back().time_s;
     if (entry == kept_.timeline.back()) return;
   }
-  entry.time_s = 1.0e-6 * static_cast<double>(time_us_);
+  entry.time_s = seconds(time_us_);
   ++kept_.timeline_changes;
   if (kept_.timeline.size() == kMostEntries) kept_.timeline.pop_back();
   kept_.timeline.push_back(entry);

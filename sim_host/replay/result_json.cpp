@@ -20,7 +20,7 @@ Json recording_of(const ReplayResult& r) {
   return {{"file", r.info.file},
           {"rows", r.tally.rows},
           {"rate_hz", r.info.rate_hz},
-          {"duration_s", r.tally.duration_s},
+          {"duration_s", std::round(r.tally.duration_s * 1.0e6) / 1.0e6},
           {"missing_rows", r.tally.missing_rows},
           {"complete", r.damage.empty()},
           {"damage", r.damage}};
@@ -45,9 +45,10 @@ Json chip_load_of(const ReplayResult& r) {
 
 Json bank_of(const ReplayResult& r) {
   Json probability = Json::array();
-  for (std::size_t i = 0; i < r.hypotheses_mm.size(); ++i) probability.push_back(readable(r.probability[i]));
-  Json bank{{"hypotheses_mm", r.hypotheses_mm},
-            {"probability", r.has_chip_load() ? probability : Json::array()},
+  for (std::size_t i = 0; r.has_probability() && i < r.hypotheses_mm.size(); ++i)
+    probability.push_back(readable(r.probability[i]));
+  Json bank{{"hypotheses_mm", r.has_contact ? Json(r.hypotheses_mm) : Json::array()},
+            {"probability", probability},
             {"selected", nullptr},
             {"rule", name_of(r.configuration.rule)}};
   if (r.has_chip_load()) bank["selected"] = r.judged.selected_hypothesis;
@@ -78,10 +79,10 @@ Json parameters_of(const ReplayResult& r) {
 
 Json health_of(const ReplayResult& r) {
   const Health health = verdict_of(r);
-  const ReasonText& reason = text_of(static_cast<ReasonCode>(health.reason));
+  const ReasonText reason = verdict_reason(r);
   return {{"state", name_of(health.state)},
           {"reason", fmt::format("{}: {}", reason.name, reason.sentence)},
-          {"code", health.reason},
+          {"code", static_cast<std::uint16_t>(reason.code)},
           {"likely_cause", reason.cause},
           {"next_step", reason.next_step}};
 }

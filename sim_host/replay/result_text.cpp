@@ -19,7 +19,7 @@ std::string line(std::string_view title, std::string_view content) {
 }
 
 std::string recording_lines(const ReplayResult& r) {
-  std::string text = line("Recording", fmt::format("{}: {} rows, {:.4f} s at {:g} Hz (median)", r.info.file,
+  std::string text = line("Recording", fmt::format("{}: {} rows, {:.4f} s at {:g} Hz", r.info.file,
                                                    r.tally.rows, r.tally.duration_s, r.info.rate_hz));
   if (r.tally.gaps > 0) {
     text += line("", fmt::format("{} missing rows in {} gap(s), the first behind {:.4f} s",
@@ -37,6 +37,12 @@ std::string frame_lines(const ReplayResult& r) {
   return text;
 }
 
+std::string probability_text(const ReplayResult& r) {
+  const std::string_view rule = name_of(r.configuration.rule);
+  if (!r.has_probability()) return fmt::format(" (rule '{}' has no probabilities", rule);
+  return fmt::format(", probability {:.4f} (rule '{}'", r.judged.selected_probability, rule);
+}
+
 std::string chip_load_lines(const ReplayResult& r) {
   if (!r.has_chip_load()) return line("Chip load", "undetermined") + line("Hypothesis", "none selected");
   std::string commanded;
@@ -47,9 +53,8 @@ std::string chip_load_lines(const ReplayResult& r) {
               fmt::format("{:.5f} mm, standard error {:.5f} mm (at {:.4f} s{})", r.judged.chip_load_mm,
                           r.judged.chip_load_standard_error_mm, r.judged_time_s, commanded)) +
          line("Hypothesis",
-              fmt::format("{:.4g} mm, probability {:.4f} (rule '{}', {} hypotheses {:.4g} .. {:.4g} mm)",
-                          r.hypotheses_mm.at(selected), r.judged.selected_probability,
-                          name_of(r.configuration.rule), r.hypotheses_mm.size(), r.hypotheses_mm.front(),
+              fmt::format("{:.4g} mm{}, {} hypotheses {:.4g} .. {:.4g} mm)", r.hypotheses_mm.at(selected),
+                          probability_text(r), r.hypotheses_mm.size(), r.hypotheses_mm.front(),
                           r.hypotheses_mm.back()));
 }
 
@@ -125,7 +130,7 @@ std::string coloured(HealthState state, bool with_colour) {
 
 std::string health_lines(const ReplayResult& r, bool with_colour) {
   const Health health = verdict_of(r);
-  const ReasonText& reason = text_of(static_cast<ReasonCode>(health.reason));
+  const ReasonText reason = verdict_reason(r);
   std::string text = line(
       "Health", fmt::format("{}  {}: {}", coloured(health.state, with_colour), reason.name, reason.sentence));
   if (!reason.cause.empty()) text += line("", fmt::format("Likely cause: {}", reason.cause));

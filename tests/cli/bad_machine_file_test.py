@@ -86,6 +86,9 @@ CORPUS = {
     **{f"{key} is text": wrong(key, '"much"', "no number") for key in POSITIVE + NOT_NEGATIVE},
     **{f"{key} is no value": wrong(key, "nan", "not finite") for key in POSITIVE[:4] + NOT_NEGATIVE[:4]},
     **{f"{key} is infinite": wrong(key, "inf", "not finite") for key in POSITIVE[:4] + NOT_NEGATIVE[:4]},
+    **{f"{key} = {value}": wrong(key, value, "magnitude") for value in ("1e300", "1e-300", "1e30", "1e-40")
+       for key in POSITIVE + NOT_NEGATIVE},
+    "deafening sensor": wrong("noise", "1e6", "magnitude"),
     **{f"no {key}": (without(key), "line ", f"'{key}'") for key in REQUIRED},
     "cold melting point": wrong("melting_degc", 300, "impossible", "400"),
     "half a tooth": wrong("teeth", 3.5, "whole"),
@@ -124,8 +127,8 @@ CORPUS = {
 
 
 class BadMachineFile(ProgramTest):
-    def test_the_corpus_holds_a_hundred_files(self):
-        self.assertGreaterEqual(len(CORPUS), 100)
+    def test_the_corpus_holds_two_hundred_files(self):
+        self.assertGreaterEqual(len(CORPUS), 200)
 
     def test_the_machine_that_the_corpus_damages_is_good(self):
         self.must_do("config", "--machine", self.write("good.toml", GOOD))
@@ -138,6 +141,11 @@ class BadMachineFile(ProgramTest):
                 for words in ("bad.toml", *said):
                     self.assertIn(words, sentence)
                 self.assertEqual(self.files(), ["bad.toml"])
+
+    def test_a_noise_too_small_for_the_estimators_is_refused_with_its_place(self):
+        machine = self.write("quiet.toml", with_value("noise", "1e-12"))
+        recording = self.write("air.csv", "time_s,contact\n0,0\n0.0001,0\n0.0002,0\n")
+        self.assertIn(f"quiet.toml, line {line_of('noise')}", self.must_refuse(1, "replay", recording, "--machine", machine))
 
     def test_a_missing_file_is_refused(self):
         self.assertIn("No such file", self.must_refuse(1, "config", "--machine", "./nothing.toml"))

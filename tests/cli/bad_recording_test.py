@@ -35,6 +35,8 @@ STRUCTURE = {
     "numbers without a header": (ROWS, "line 1", "header row is missing"),
     "no time column": ("seconds,armature_voltage_v\n0,1\n1,2\n", "line 1", "'time_s'"),
     "misspelt time column": ("time,armature_voltage_v\n0,1\n1,2\n", "line 1", "'time_s'"),
+    "nearly the time column": ("tim_s,contact\n0,1\n1,2\n", "line 1", "did you mean 'time_s' by 'tim_s'?"),
+    "nearly a signal": ("time_s,spindle_sped_rad_s\n0,1\n1,2\n", "line 1", "did you mean 'spindle_speed_rad_s'"),
     "only the time": ("time_s\n0\n1\n", "line 1", "no column is a signal"),
     "no known signal": ("time_s,foo,bar\n0,1,2\n1,2,3\n", "line 1", "no column is a signal"),
     "semicolons": ("time_s;contact\n0;1\n1;1\n", "line 1", "commas"),
@@ -100,6 +102,11 @@ class BadRecording(ProgramTest):
         self.assertIn("No such file", self.must_refuse(1, "replay", "nothing.mrec"))
         (self.folder / "folder.csv").mkdir()
         self.assertIn("directory", self.must_refuse(1, "replay", "folder.csv"))
+
+    def test_names_between_quotes_are_names(self):
+        quoted = ",".join(f'"{column}"' for column in COLUMNS) + "\n"
+        done = self.must_do("replay", self.write("quoted.csv", quoted + ROWS), "--machine", "reference")
+        self.assertEqual(done.stderr, "")
 
     def test_an_unknown_column_is_a_warning_with_a_suggestion(self):
         recording = self.write("odd.csv", GOOD.replace("contact", "contakt"))

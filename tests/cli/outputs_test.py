@@ -14,6 +14,27 @@ class Outputs(ProgramTest):
         self.must_do("simulate", "--duration", "0.2", "--out", "run.csv")
         self.must_do("simulate", "--duration", "0.2", "--out", "run.mrec")
 
+    def test_an_output_that_is_an_input_or_another_output_is_wrong_usage(self):
+        self.must_do("simulate", "--duration", "0.1", "--machine-out", "machine.toml", "--out", "-")
+        (self.folder / "link.csv").symlink_to("run.csv")
+        os.link(self.folder / "run.csv", self.folder / "hard.csv")
+        before = {name: (self.folder / name).read_bytes() for name in self.files()}
+        for arguments in (["replay", "run.csv", "--out", "run.csv"], ["replay", "run.csv", "--json", "./run.csv"],
+                          ["replay", "run.mrec", "--health-out", "run.mrec"], ["replay", "run.csv", "--out", "link.csv"],
+                          ["replay", "run.csv", "--out", "hard.csv"], ["convert", "run.csv", "run.csv"],
+                          ["replay", "run.csv", "--json", "-", "--out", "-"],
+                          ["replay", "run.csv", "--json", "new", "--health-out", "./new"],
+                          ["replay", "run.csv", "--machine", "machine.toml", "--out", "machine.toml"],
+                          ["simulate", "--out", "new.csv", "--machine-out", "new.csv"],
+                          ["simulate", "--out", "-", "--machine-out", "-"],
+                          ["config", "--machine", "machine.toml", "--out", "machine.toml"]):
+            with self.subTest(arguments):
+                self.must_refuse(2, *arguments)
+                self.assertEqual({name: (self.folder / name).read_bytes() for name in self.files()}, before)
+
+    def test_two_outputs_may_go_to_one_device(self):
+        self.must_do("replay", "run.csv", "--json", "/dev/null", "--out", "/dev/null")
+
     def test_what_cannot_be_written_is_said_before_the_work(self):
         (self.folder / "folder").mkdir()
         for option in ("--json", "--out", "--health-out"):
@@ -60,6 +81,14 @@ class Outputs(ProgramTest):
             with self.subTest(arguments):
                 self.must_refuse(2, *arguments)
         self.assertEqual(self.files(), ["run.csv", "run.mrec"])
+
+    def test_an_unknown_command_is_named(self):
+        self.assertIn("unknown command 'frobnicate'; did you mean one of simulate, replay, convert, config?",
+                      self.must_refuse(2, "frobnicate"))
+        self.assertIn("unknown command 'replya'; did you mean 'replay'?", self.must_refuse(2, "replya", "run.csv"))
+
+    def test_help_is_a_command_too(self):
+        self.assertEqual(self.must_do("help").stdout, self.must_do("--help").stdout)
 
     def test_every_command_explains_itself(self):
         for command in ("simulate", "replay", "convert", "config"):

@@ -59,6 +59,67 @@ class SimulateAndReplay(ProgramTest):
             self.must_do("replay", name, "--health-out", name + ".answers")
         self.assertEqual((self.folder / "run.csv.answers").read_bytes(), (self.folder / "run.mrec.answers").read_bytes())
 
+    def shifted(self, name, start_s):
+        """A cut whose first time is start_s; the same rows otherwise."""
+        self.must_do("simulate", "--duration", "1", "--out", "run.csv")
+        lines = (self.folder / "run.csv").read_text().splitlines()
+        rows = [line.split(",", 1) for line in lines[6:]]
+        return self.write(name, "\n".join(lines[:6] + [f"{float(t) + start_s:.6f},{rest}" for t, rest in rows]) + "\n")
+
+    def test_times_are_those_of_the_recording(self):
+        for start_s in (1.7e9, -10.0, 5000.0):
+            with self.subTest(start_s):
+                shifted = self.shifted("shifted.csv", start_s)
+                here, there = self.replay("run.csv"), self.replay(shifted)
+                time_s = there["chip_load_mm"]["time_s"]
+                self.assertAlmostEqual(time_s - start_s, here["chip_load_mm"]["time_s"], delta=2e-6)
+                self.assertEqual(time_s, round(time_s, 6))
+                self.must_do("replay", shifted, "--out", "frames.csv")
+                first, second = (self.folder / "frames.csv").read_text().splitlines()[1:3]
+                self.assertEqual(int(first.split(",")[1]), round(start_s * 1e6))
+                self.assertEqual(int(second.split(",")[1]), round(start_s * 1e6) + 100)
+                self.assertIn(f"(at {time_s:.4f} s", self.must_do("replay", shifted).stdout)
+
+    def test_a_native_recording_keeps_the_start(self):
+        for start_s in (1.7e9, -10.0, 5000.0, 0.0):
+            with self.subTest(start_s):
+                shifted = self.shifted("shifted.csv", start_s)
+                self.must_do("convert", shifted, "shifted.mrec")
+                self.must_do("convert", "shifted.mrec", "back.csv")
+                self.assertEqual(shifted.read_text(), (self.folder / "back.csv").read_text())
+                self.assertEqual(self.replay("shifted.mrec")["chip_load_mm"], self.replay(shifted)["chip_load_mm"])
+
+    def test_a_rate_outside_the_monitors_is_the_recordings_fault(self):
+        for step_s, rate in ((0.02, "50 Hz"), (2e-5, "50000 Hz")):
+            rows = "".join(f"{k * step_s:.6f},1\n" for k in range(50))
+            recording = self.write("rate.csv", "time_s,contact\n" + rows)
+            sentence = self.must_refuse(1, "replay", recording, "--machine", "reference")
+            self.assertIn(rate, sentence)
+            self.assertIn("rate.csv", sentence)
+            self.assertNotIn("machine", sentence)
+
+    def test_a_machine_without_a_tool_has_no_hypotheses(self):
+        self.must_do("simulate", "--duration", "0.1", "--machine-out", "machine.toml", "--out", "run.csv")
+        air = self.write("air.csv", "\n".join((self.folder / "run.csv").read_text().splitlines()[:150]) + "\n")
+        machine = (self.folder / "machine.toml").read_text()
+        axes = machine[:machine.index("[tool]")] + machine[machine.index("[sampling]"):]
+        result = self.replay(air, "--machine", self.write("axes.toml", axes))
+        self.assertEqual(result["bank"]["hypotheses_mm"], [])
+        self.assertEqual(result["bank"]["probability"], [])
+        self.assertIsNone(result["bank"]["selected"])
+        self.assertIn("[tool] and [contact]", result["health"]["reason"])
+        self.assertNotIn("sensor", json.dumps(result["health"]))
+
+    def test_the_rule_of_the_thesis_has_no_probabilities(self):
+        self.must_do("simulate", "--duration", "1", "--out", "run.csv")
+        bank = self.replay("run.csv", "--rule", "thesis")["bank"]
+        self.assertEqual(bank["probability"], [])
+        self.assertIsNotNone(bank["selected"])
+        done = self.must_do("replay", "run.csv", "--rule", "thesis", "--out", "frames.csv")
+        self.assertIn("(rule 'thesis' has no probabilities", done.stdout)
+        rows = [row.split(",") for row in (self.folder / "frames.csv").read_text().splitlines()]
+        self.assertEqual({row[rows[0].index("probability")] for row in rows[1:]}, {""})
+
     def test_missing_rows_are_missing_frames(self):
         self.must_do("simulate", "--duration", "0.2", "--out", "run.csv")
         lines = (self.folder / "run.csv").read_text().splitlines()

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
+#include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -77,6 +80,76 @@ TEST_F(Csv, InfersTheRateThatRoundedTimesHide) {
   EXPECT_DOUBLE_EQ(info_.rate_hz, 3000.0);
 }
 
+std::string rows_at(const std::vector<double>& times_s, const std::string& metadata = "") {
+  std::ostringstream text;
+  text << metadata << "time_s,contact\n" << std::fixed << std::setprecision(6);
+  for (const double time_s : times_s) text << time_s << ",1\n";
+  return text.str();
+}
+
+TEST_F(Csv, CountsRowsThatWereDroppedRegularlyByTheStatedRate) {
+  std::vector<double> times_s;
+  for (int k = 0; k < 1000; ++k) times_s.push_back(2e-4 * k);
+  write(rows_at(times_s, "# rate_hz: 10000\n"));
+  const auto frames = read();
+  EXPECT_EQ(info_.rate_hz, 10000.0);
+  EXPECT_EQ(frames.back().sequence, 1998U);
+  EXPECT_EQ(tally_.missing_rows, 999U);
+  EXPECT_TRUE(info_.warnings.empty());
+}
+
+TEST_F(Csv, CountsHalfOfTheRowsDroppedAtRandomByTheStatedRate) {
+  std::mt19937 random(1);
+  std::vector<double> times_s{0.0};
+  for (int k = 1; k < 20000; ++k) {
+    if (random() % 2 == 0 || k == 19999) times_s.push_back(1e-4 * k);
+  }
+  write(rows_at(times_s, "# rate_hz: 10000\n"));
+  EXPECT_EQ(read().back().sequence, 19999U);
+  EXPECT_EQ(tally_.missing_rows, 20000U - times_s.size());
+}
+
+TEST_F(Csv, WarnsOfAStatedRateThatTheTimesContradictAndTakesTheTimes) {
+  for (const char* rate : {"1000", "14000", "fast", "-1"}) {
+    write(rows_at({0.0, 1e-4, 2e-4, 3e-4}, std::string("# rate_hz: ") + rate + "\n"));
+    EXPECT_EQ(read().back().sequence, 3U) << rate;
+    EXPECT_EQ(info_.rate_hz, 10000.0) << rate;
+    ASSERT_EQ(info_.warnings.size(), 1U) << rate;
+    EXPECT_NE(info_.warnings[0].find(rate), std::string::npos);
+  }
+}
+
+TEST_F(Csv, TakesJitterOfNearlyHalfAStepForNoMissingRow) {
+  for (const char* metadata : {"", "# rate_hz: 10000\n"}) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> jitter_s(-4e-5, 4e-5);
+    std::vector<double> times_s;
+    for (int k = 0; k < 30000; ++k) times_s.push_back(1e-4 * (k + 1) + jitter_s(random));
+    write(rows_at(times_s, metadata));
+    EXPECT_EQ(read().back().sequence, 29999U);
+    EXPECT_EQ(tally_.missing_rows, 0U);
+    // Five digits: half of the last one, and the jitter over the longest lag.
+    EXPECT_NEAR(info_.rate_hz, 10000.0, 1.0);
+  }
+}
+
+TEST_F(Csv, MeasuresARateThatIsStatedNearly) {
+  for (const char* rate : {"9000", "9900", "10100", "11500"}) {
+    std::vector<double> times_s;
+    for (int k = 0; k < 5000; ++k) times_s.push_back(1e-4 * k);
+    write(rows_at(times_s, std::string("# rate_hz: ") + rate + "\n"));
+    EXPECT_EQ(read().back().sequence, 4999U) << rate;
+    EXPECT_DOUBLE_EQ(info_.rate_hz, 10000.0) << rate;
+  }
+}
+
+TEST_F(Csv, FollowsARateThatFiveDigitsDoNotHold) {
+  std::vector<double> times_s;
+  for (int k = 0; k < 200000; ++k) times_s.push_back(k / 7777.749);
+  write(rows_at(times_s));
+  EXPECT_EQ(read().back().sequence, 199999U);
+}
+
 TEST_F(Csv, WrapsMicrosecondsAfterSeventyOneMinutes) {
   write("time_s,contact\n4294.967295,1\n4294.967296,1\n4294.967297,1\n");
   const auto frames = read();
@@ -105,7 +178,7 @@ TEST_F(Csv, GivesBackEveryBitThatWasWritten) {
   {
     OutputFile file(path_);
     CsvWriter writer(file, {{"machine", "reference"}},
-                     bit_of(Channel::kSpindleSpeed) | bit_of(Channel::kArmatureCurrent));
+                     bit_of(Channel::kSpindleSpeed) | bit_of(Channel::kArmatureCurrent), 0xFFFFFF00);
     for (const SensorFrame& frame : written) EXPECT_TRUE(writer.write(frame));
     EXPECT_FALSE(writer.write(written.back())) << "a repeated time was written";
     file.commit();
