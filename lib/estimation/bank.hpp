@@ -1,11 +1,10 @@
 #pragma once
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
+#include "lib/estimation/lane_gate.hpp"
 #include "lib/estimation/local_torque.hpp"
 #include "lib/estimation/spindle_signals.hpp"
 #include "lib/estimation/spindle_step.hpp"
@@ -47,7 +46,7 @@ class Bank {
   void start(Real speed_rad_s, Real current_a, Real speed_variance, Real current_variance) {
     centre_ = speed_rad_s;
     is_local_ = false;
-    gate_ = 0;
+    gate_ = {};
     for (std::size_t j = 0; j < kN; ++j) start_lane(j, Real(0), current_a, speed_variance, current_variance);
   }
 
@@ -79,8 +78,6 @@ class Bank {
   [[nodiscard]] std::uint32_t repaired() const { return repaired_; }
 
  private:
-  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-
   struct CubicTorque {
     const Lanes &c0, &c1, &c2, &c3;
     void operator()(std::size_t j, Real d, Real& torque, Real& slope) const {
@@ -99,14 +96,6 @@ class Bank {
     }
   };
 
-  /// Its top bit is set where |x| > limit and where x is no number; so a bitwise or over all lanes tells
-  /// whether any lane is outside, without a branch in the loop.
-  static Bits beyond(Real limit, Real x) {
-    constexpr Bits kMagnitude = ~Bits(0) >> 1;
-    return (std::bit_cast<Bits>(limit) & kMagnitude) - (std::bit_cast<Bits>(x) & kMagnitude);
-  }
-  static bool is_any_beyond(Bits gate) { return (gate >> (8 * sizeof(Bits) - 1)) != 0; }
-
   void start_lane(std::size_t j, Real d, Real current_a, Real speed_variance, Real current_variance) {
     d_[j] = d;
     i_[j] = current_a;
@@ -118,15 +107,15 @@ class Bank {
   /// Brings the centre back to the lanes when one of them left the domain, or holds no number, after the last
   /// step.
   void repair_and_recentre(const SpindleMeasurement<Real>& y) {
-    if (!is_any_beyond(gate_)) return;
+    if (!gate_.is_any_beyond()) return;
     repair(y);
     const Real shift = d_[kN / 2];
     centre_ += shift;
     const Real domain = LocalTorque<Real, kN>::domain(centre_);
-    gate_ = 0;
+    gate_ = {};
     for (std::size_t j = 0; j < kN; ++j) {
       d_[j] -= shift;
-      gate_ |= beyond(domain, d_[j]);
+      gate_.see(domain, d_[j]);
     }
     is_local_ = false;
   }
@@ -146,7 +135,7 @@ class Bank {
   /// True where the cubics hold for every lane, or are not needed.
   bool choose_local(Real contact) {
     if (!(contact > Real(0))) return true;
-    if (is_any_beyond(gate_)) return false;
+    if (gate_.is_any_beyond()) return false;
     if (!is_local_) is_local_ = local_.build(centre_);
     return is_local_;
   }
@@ -173,7 +162,7 @@ class Bank {
     const Real yi = y.has_current() ? y.current_a : Real(0);
     const Real domain = LocalTorque<Real, kN>::domain(centre_);
     const Real inverse_reference = Real(1) / reference_;
-    Bits gate = 0, series_gate = 0;
+    LaneGate<Real> gate, series_gate;
     for (std::size_t j = 0; j < kN; ++j) {
       const Real d = d_[j], i = i_[j], pww = pww_[j], pwi = pwi_[j], pii = pii_[j];
       Real torque, slope;
@@ -200,17 +189,17 @@ class Bank {
       pww_[j] = nww - l0 * nwi;
       pwi_[j] = l0 * ri;
       pii_[j] = l1 * ri;
-      gate |= beyond(domain, d2);
+      gate.see(domain, d2);
 
       const Real nis = e1 * e1 * inverse1 + e2 * e2 * inverse2;
       const Real determinant = s1 * s2, x = determinant * inverse_reference - Real(1);
       nis_[j] = nis;
       determinant_[j] = determinant;
       log_likelihood_[j] = Real(-0.5) * (nis + x * (Real(1) - x * Real(0.5)));
-      series_gate |= beyond(Real(kSeriesDomain), x);
+      series_gate.see(Real(kSeriesDomain), x);
     }
     gate_ = gate;
-    if (is_any_beyond(series_gate)) take_logarithms(inverse_reference);
+    if (series_gate.is_any_beyond()) take_logarithms(inverse_reference);
     reference_ = determinant_[0];
   }
 
@@ -230,7 +219,7 @@ class Bank {
   ProcessNoise noise_;
   Real centre_{};
   bool is_local_ = false;
-  Bits gate_ = 0;
+  LaneGate<Real> gate_;       ///< lanes that left the domain, or hold no number, after the last step
   Real reference_ = Real(1);  ///< determinant of the innovation covariance of the last frame, first lane
   std::uint32_t repaired_ = 0;
   Lanes d_{}, i_{}, pww_{}, pwi_{}, pii_{};

@@ -70,6 +70,18 @@ void step_decision() {
   keep(c.decision.probability());
 }
 
+/// The safety gates of one step: two per lane, loop and loads included.
+void step_gates() {
+  static std::array<float, 32> lanes{};
+  LaneGate<float> domain, series;
+  for (float lane : lanes) {
+    domain.see(23.0F, lane);
+    series.see(0.03F, lane);
+  }
+  keep(domain);
+  keep(series);
+}
+
 void step_feed() {
   auto& feed = counted<8>().feed;
   feed.predict({26.0F, 1.0F, 1.0F});
@@ -98,6 +110,7 @@ void step_feed_parameters() {
 
 const Entry kBank8{"bank_filter_step_n8", 8, measure, step_bank<8>};
 const Entry kBank32{"bank_filter_step_n32", 32, measure, step_bank<32>};
+const Entry kGates32{"bank_gates_n32", 32, measure, step_gates};
 const Entry kDecision11{"decision_n11", 1, measure, step_decision<11>};
 const Entry kFeed{"feed_filter_step", 1, measure, step_feed};
 const Entry kChipLoad{"chip_load_filter_step", 1, measure, step_chip_load};
