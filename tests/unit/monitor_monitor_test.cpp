@@ -82,6 +82,12 @@ TEST(Monitor, WatchesAToolWhoseLoadIsRaised) {
   EXPECT_EQ(health.reason, static_cast<std::uint16_t>(ReasonCode::kWearLoadRaised));
 }
 
+TEST(Monitor, WatchesAToolThatCutsTooLittle) {
+  const Health health = run(test::frames_of(kReference, {.chip_load_mm = 0.021, .commanded_mm = 0.05}));
+  EXPECT_EQ(health.state, HealthState::kWatch);
+  EXPECT_EQ(health.reason, static_cast<std::uint16_t>(ReasonCode::kWearLoadLow));
+}
+
 TEST(Monitor, NeverSaysReplaceWithoutTheCommandedChipLoad) {
   auto frames = test::frames_of(kReference, {.chip_load_mm = 0.1});
   for (auto& frame : frames) frame.clear(Channel::kChipLoad);
