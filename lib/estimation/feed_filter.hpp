@@ -61,8 +61,8 @@ class FeedFilter {
     covariance_.predict({{{Real(1), x_per_v_}, {Real(0), v_per_v_}}}, {}, q_);
   }
 
-  /// Innovation of the speed, or of the position where no speed is measured, in standard deviations, without
-  /// using the measurement.
+  /// Innovations of speed and position with their variances, without using the measurement; meaningful for
+  /// the channels that are measured.
   [[nodiscard]] FeedMeasurement<Real> innovation(const FeedMeasurement<Real>& y) const {
     return {y.speed_m_s - v_, y.position_m - x_, covariance_.variance(kSpeed) + y.speed_variance,
             covariance_.variance(kPosition) + y.position_variance};
