@@ -197,6 +197,17 @@ TEST(Monitor, ATransientFaultDoesNotWearTheTool) {
   EXPECT_EQ(monitor->health().state, HealthState::kSensorFault) << "a thermocouple that broke";
 }
 
+TEST(Monitor, WhatWasSeenBeforeAFaultDoesNotCountAfterIt) {
+  auto frames = test::frames_of(kReference, {.frames = 8000, .chip_load_mm = 0.1, .commanded_mm = 0.05});
+  auto monitor = std::make_unique<BoardMonitor>();
+  std::size_t worn = 0;
+  while (worn < frames.size() && monitor->step(frames[worn]).state != HealthState::kReplace) ++worn;
+  ASSERT_LT(worn, 7000U);
+  for (std::size_t k = worn - 100; k < worn - 60; ++k) frames[k].clear(Channel::kArmatureCurrent);
+  frames.resize(worn + 500);
+  EXPECT_NE(run(frames).state, HealthState::kReplace) << "less than 0.1 s on either side of the break";
+}
+
 TEST(Monitor, SilenceOfAnyChannelIsNotHealth) {
   for (Channel silent : {Channel::kArmatureVoltage, Channel::kContact, Channel::kSpindleSpeed,
                          Channel::kArmatureCurrent, Channel::kToolTemperature, Channel::kChipLoad}) {
