@@ -41,6 +41,16 @@ class Ldl {
     return x;
   }
 
+  /// The smallest of the diagonal of D: not above how far S is from a singular matrix, negative or NaN where
+  /// rounding has passed it.
+  Real smallest_pivot() const {
+    Real smallest = pivot_(0);
+    for (int j = 1; j < kN; ++j) {
+      if (!(pivot_(j) >= smallest)) smallest = pivot_(j);
+    }
+    return smallest;
+  }
+
   /// Natural logarithm of the determinant of S.
   Real log_determinant() const {
     Real sum = 0;

@@ -26,16 +26,31 @@ class ExponentialIntegrator {
 
   PlantState<Real> step(const PlantState<Real>& x, const PlantInput<Real>& u) const {
     const auto linear = plant_.linearise(x, u);
+    return moved(x, linear.spindle_jacobian, linear.derivative);
+  }
+
+  /// The same with further terms on the right-hand side, held over the step.
+  PlantState<Real> step(const PlantState<Real>& x, const PlantInput<Real>& u,
+                        const PlantDerivative<Real>& added) const {
+    const auto linear = plant_.linearise(x, u);
     const auto& f = linear.derivative;
-    const math::BasicMatrix2<Real> psi = math::exponential_step(linear.spindle_jacobian, step_s_).integral;
-    return {x.speed_rad_s + (psi.a00 * f.acceleration_rad_s2 + psi.a01 * f.current_rate_a_s),
-            x.feed_speed_m_s + feed_gain_s_ * f.feed_acceleration_m_s2,
-            x.current_a + (psi.a10 * f.acceleration_rad_s2 + psi.a11 * f.current_rate_a_s)};
+    return moved(x, linear.spindle_jacobian,
+                 {f.acceleration_rad_s2 + added.acceleration_rad_s2,
+                  f.feed_acceleration_m_s2 + added.feed_acceleration_m_s2,
+                  f.current_rate_a_s + added.current_rate_a_s});
   }
 
   const Plant<Real>& plant() const { return plant_; }
 
  private:
+  PlantState<Real> moved(const PlantState<Real>& x, const math::BasicMatrix2<Real>& jacobian,
+                         const PlantDerivative<Real>& f) const {
+    const math::BasicMatrix2<Real> psi = math::exponential_step(jacobian, step_s_).integral;
+    return {x.speed_rad_s + (psi.a00 * f.acceleration_rad_s2 + psi.a01 * f.current_rate_a_s),
+            x.feed_speed_m_s + feed_gain_s_ * f.feed_acceleration_m_s2,
+            x.current_a + (psi.a10 * f.acceleration_rad_s2 + psi.a11 * f.current_rate_a_s)};
+  }
+
   static double feed_gain(double rate, double step_s) {
     return math::exponential_step(math::Matrix2{.a00 = rate}, step_s).integral.a00;
   }

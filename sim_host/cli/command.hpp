@@ -10,6 +10,9 @@ void add_simulate(CLI::App& program);
 void add_replay(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_config(CLI::App& program);
+void add_diagnose(CLI::App& program);
+void add_effects(CLI::App& program);
+void add_kinematics(CLI::App& program);
 
 /// A number in [lowest, highest]; NaN is refused as well.
 CLI::Validator between(double lowest, double highest, const std::string& unit);

@@ -42,6 +42,9 @@ int run(int argc, char** argv) {
   morepro::host::add_replay(program);
   morepro::host::add_convert(program);
   morepro::host::add_config(program);
+  morepro::host::add_diagnose(program);
+  morepro::host::add_effects(program);
+  morepro::host::add_kinematics(program);
   const std::string_view word = argc > 1 ? argv[1] : "-";
   if (word == "help") {
     fmt::print("{}", program.help());

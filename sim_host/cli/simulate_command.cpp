@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim_host/cli/command.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
@@ -11,6 +12,8 @@
 #include "sim_host/machine/machine_file_writer.hpp"
 #include "sim_host/recording/recording_writer.hpp"
 #include "sim_host/simulate/datasheet.hpp"
+#include "sim_host/simulate/effect_option.hpp"
+#include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/simulate/simulation.hpp"
 #include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/progress.hpp"
@@ -23,6 +26,8 @@ struct SimulateArguments {
   std::string profile = "cutting";
   double duration_s = 5.0;
   double rate_hz = 0.0;
+  std::vector<std::string> effects;
+  double process_noise = 0.0;
   double datasheet_error = 0.0;
   std::string machine_out;
   std::uint64_t seed = 1;
@@ -35,7 +40,22 @@ SimulationOptions options_of(const SimulateArguments& arguments, double default_
   return {.profile = static_cast<ProfileKind>(profile - kProfileNames.begin()),
           .duration_s = arguments.duration_s,
           .rate_hz = arguments.rate_hz > 0.0 ? arguments.rate_hz : default_rate_hz,
-          .seed = arguments.seed};
+          .seed = arguments.seed,
+          .process_noise = arguments.process_noise};
+}
+
+void set_effects(const SimulateArguments& arguments, const MachineDescription& description,
+                 SimulationOptions& options) {
+  const MachineParameters& machine = description.configuration.machine;
+  options.effects = description.effects;
+  for (const gap::AppliedEffect& effect : options.effects) {
+    if (const std::string objection = objection_to_rate(effect, options.rate_hz); !objection.empty())
+      throw UserError(fmt::format("machine '{}': {}", description.name, objection));
+  }
+  const gap::EffectScales<double> scales(machine, reference_point_of(machine));
+  const EffectLimits limits{options.duration_s, options.rate_hz};
+  for (const std::string& text : arguments.effects)
+    options.effects.push_back(effect_from_option(text, scales, limits));
 }
 
 Metadata metadata_of(const SimulateArguments& arguments, const MachineDescription& machine, double rate_hz) {
@@ -65,7 +85,8 @@ void run(const SimulateArguments& arguments) {
                  {{"--out", arguments.out}, {"--machine-out", arguments.machine_out}});
   MachineDescription machine = load_machine(arguments.machine);
   check_described(machine);
-  const SimulationOptions options = options_of(arguments, machine.configuration.sampling.rate_hz);
+  SimulationOptions options = options_of(arguments, machine.configuration.sampling.rate_hz);
+  set_effects(arguments, machine, options);
   set_rate(machine.configuration, options.rate_hz);
   Simulation simulation(machine.configuration, options);
   if (simulation.frame_count() < 2)
@@ -101,6 +122,19 @@ void add_simulate(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--rate", arguments->rate_hz, "samples per second; the machine's own by default")
       ->check(between(100.0, 20000.0, "Hz"));
+  command
+      ->add_option("--effect", arguments->effects,
+                   "NAME=SIZE[,from=SECONDS]: what this machine has beyond its model; repeatable, 'morepro "
+                   "effects' lists names and units")
+      ->expected(1)
+      ->take_all();
+  command
+      ->add_option(
+          "--process-noise", arguments->process_noise,
+          "random load, feed force and supply ripple that nobody records, correlated over 1 ms; with 1 "
+          "each would move its signal by one standard deviation of its sensor within 1 ms")
+      ->check(between(0.0, 10.0, ""))
+      ->capture_default_str();
   command
       ->add_option("--datasheet-error", arguments->datasheet_error,
                    "fraction by which --machine-out is wrong in every parameter")

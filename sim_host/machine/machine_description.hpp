@@ -3,8 +3,10 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/frame/sensor_frame.hpp"
+#include "lib/gap/applied_effect.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 #include "sim_host/support/user_error.hpp"
 
@@ -15,8 +17,9 @@ namespace morepro::host {
 struct MachineDescription {
   std::string name;
   MonitorConfiguration configuration;
-  bool has_spindle = true;  ///< [spindle]
-  bool has_feed = true;     ///< [feed]
+  std::vector<gap::AppliedEffect> effects;  ///< [[effects]]: what the machine has beyond the nominal model
+  bool has_spindle = true;                  ///< [spindle]
+  bool has_feed = true;                     ///< [feed]
   bool has_contact = true;  ///< [tool] and [contact]: without them there is no chip load to estimate
   bool has_thermal = true;  ///< [thermal]: without it the contact law does not depend on temperature
   bool has_rate = true;     ///< [sampling]: without it the recording's rate is taken

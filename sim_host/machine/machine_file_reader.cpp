@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lib/monitor/configuration_check.hpp"
+#include "sim_host/machine/effect_tables.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
 #include "sim_host/machine/machine_key.hpp"
 #include "sim_host/machine/machine_rules.hpp"
@@ -19,8 +20,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::array<std::string_view, 8> kTables{"machine", "spindle", "feed",     "tool",
-                                                  "contact", "thermal", "sampling", "sensors"};
+constexpr std::array<std::string_view, 9> kTables{"machine", "spindle",  "feed",    "tool",   "contact",
+                                                  "thermal", "sampling", "sensors", "effects"};
 
 std::vector<std::string_view> keys_of(std::string_view table) {
   std::vector<std::string_view> names;
@@ -51,12 +52,15 @@ class MachineFile {
   MachineDescription read() {
     root_ = parse();
     check_names(root_, kTables, "table", "");
-    for (auto&& [name, node] : root_) (void)table_at(name.str());
+    for (auto&& [name, node] : root_) {
+      if (name.str() != "effects") (void)table_at(name.str());
+    }
     read_name();
     read_parameters();
     read_sampling();
     read_sensors();
     check_rules(machine_, path_);
+    if (const toml::node* effects = root_.get("effects")) read_effects(*effects, path_, machine_);
     choose_estimators();
     return std::move(machine_);
   }

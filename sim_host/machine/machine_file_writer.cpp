@@ -1,7 +1,10 @@
 #include "sim_host/machine/machine_file_writer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "lib/gap/effect_catalogue.hpp"
+#include "lib/gap/effect_size.hpp"
 #include "sim_host/machine/machine_key.hpp"
 
 namespace morepro::host {
@@ -40,6 +43,29 @@ std::string parameter_tables(const MachineDescription& machine) {
   return text;
 }
 
+/// Kind, shape and coefficients where they are not those of every effect of that size.
+std::string refinement(const gap::AppliedEffect& effect, const gap::AppliedEffect& usual) {
+  std::string text;
+  if (effect.form.kind != usual.form.kind) text += fmt::format("kind = {}\n", effect.form.kind);
+  if (effect.form.shape != usual.form.shape) text += fmt::format("shape = {}\n", effect.form.shape);
+  const bool is_usual = effect.form.parts == usual.form.parts && effect.coefficient == usual.coefficient;
+  const auto end = effect.coefficient.begin() + effect.form.parts;
+  if (!is_usual)
+    text += fmt::format("coefficients = [{}]\n", fmt::join(effect.coefficient.begin(), end, ", "));
+  return text;
+}
+
+std::string effect_table(const gap::AppliedEffect& effect, const MachineParameters& machine) {
+  const gap::EffectScales<double> scales(machine, {});
+  const double size = gap::size_of(effect, scales);
+  std::string text = fmt::format("\n[[effects]]\nname = \"{}\"\n", gap::name_of(effect.form.effect));
+  text += gap::size_is_shape(effect.form.effect) ? fmt::format("size = {}\n", effect.form.shape)
+                                                 : fmt::format("size = {}\n", size);
+  text += refinement(effect, gap::applied(effect.form.effect, size, scales));
+  if (effect.onset_s != 0.0) text += fmt::format("onset_s = {}\n", effect.onset_s);
+  return text;
+}
+
 }  // namespace
 
 std::string machine_file_text(const MachineDescription& machine) {
@@ -52,6 +78,8 @@ std::string machine_file_text(const MachineDescription& machine) {
     text +=
         fmt::format("\n[sensors.{}]\nnoise = {}\nlsb = {}\n", kChannels[i].column, sensor.noise, sensor.lsb);
   }
+  for (const gap::AppliedEffect& effect : machine.effects)
+    text += effect_table(effect, machine.configuration.machine);
   return text;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "lib/gap/effect_signals.hpp"
 #include "lib/plant/machine_parameters.hpp"
 
 namespace morepro::host {
@@ -13,6 +14,11 @@ struct OperatingPoint {
 };
 
 OperatingPoint operating_point_of(const MachineParameters& machine);
+
+/// Where effects are normalised: the steady cut, with the winding at the temperature of its datasheet. A
+/// machine without a cut that 1000 V reach gets its speed at 24 V without load, and a tenth of its current at
+/// 24 V and standstill. Speeds, current and chip load are > 0.
+gap::ReferencePoint reference_point_of(const MachineParameters& machine);
 
 /// Feed speed in m/s at which every tooth takes `chip_load_mm`.
 double feed_speed_for(const MachineParameters& machine, double speed_rad_s, double chip_load_mm);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/plant/contact_law.hpp"
 #include "sim_host/simulate/random_numbers.hpp"
 
 namespace morepro::host {
@@ -23,6 +24,13 @@ double reversing(double time_s) {
   const double side = phase_s < 1.0 ? 1.0 : -1.0;
   const double into_ramp = (std::fmod(phase_s, 1.0) - kHoldS) / kRampS;
   return side * (1.0 - 2.0 * std::clamp(into_ramp, 0.0, 1.0));
+}
+
+/// One value after the other, again and again.
+template <std::size_t kCount>
+double stepped(const std::array<double, kCount>& values, double time_s, double hold_s) {
+  // A sample at n hold belongs to the new value even where the division rounds down.
+  return values[static_cast<std::size_t>(time_s / hold_s + 1.0e-6) % kCount];
 }
 
 }  // namespace
@@ -50,17 +58,29 @@ Command Profile::at(double time_s) const {
   return {};
 }
 
+double Profile::stepped_chip_load(double time_s) const {
+  constexpr std::array kFractions{1.0, 0.8, 1.2, 0.9, 1.1};
+  const double stepped_mm = stepped(kFractions, time_s, 0.5) * point_.chip_load_mm;
+  return is_inside_contact_range(machine_, stepped_mm) ? stepped_mm : point_.chip_load_mm;
+}
+
 Command Profile::rich(double time_s) const {
+  constexpr double kSlow = 0.05;
+  constexpr std::array kSpeeds{1.0, 0.7, kSlow, 0.85};
+  constexpr std::array kEngagements{1.0, 0.8, 0.6};
   const double direction = reversing(time_s);
+  const double speed = stepped(kSpeeds, time_s, 2.0);
+  const double chip_load_mm = stepped_chip_load(time_s);
   const double dither = binary_signal(mixed(seed_, kFastVoltage), time_s, 1.0e-3) +
                         binary_signal(mixed(seed_, kSlowVoltage), time_s, 20.0e-3);
-  const bool is_steady = std::fabs(direction) == 1.0;
+  const bool can_cut = std::fabs(direction) == 1.0 && speed != kSlow;
   return {.is_speed_controlled = false,
-          .voltage_v = point_.voltage_v * (direction + 0.125 * dither),
-          .feed_speed_m_s = direction * point_.feed_speed_m_s,
+          .voltage_v = point_.voltage_v * (direction * speed + 0.125 * dither),
+          .feed_speed_m_s = feed_speed_for(machine_, direction * speed * point_.speed_rad_s, chip_load_mm),
           .force_dither_n = force_scale_n_ * binary_signal(mixed(seed_, kForce), time_s, 30.0e-3),
-          .contact = is_steady && !is_on(time_s, 0.1, 0.2) ? 1.0 : 0.0,
-          .chip_load_mm = point_.chip_load_mm};
+          .contact = can_cut && !is_on(time_s, 0.1, 0.2) ? 1.0 : 0.0,
+          .chip_load_mm = chip_load_mm,
+          .engagement = stepped(kEngagements, time_s, 0.7)};
 }
 
 Command Profile::controlled(double time_s, double speed_fraction, double chip_load_mm) const {

@@ -8,9 +8,10 @@
 
 namespace morepro::host {
 
-/// rich: voltage and force dither, contact on and off, reversals: what identification wants.
-/// commissioning: speed steps under control with moderate dither. production: one long cut, hardly any
-/// dither. cutting: spin up, contact, a change of the chip load during the cut, contact off.
+/// rich: voltage and force dither, contact on and off, reversals, several speeds, one of them slow and
+/// without contact, steps of chip load and engagement: what identification and diagnosis want. commissioning:
+/// speed steps under control with moderate dither. production: one long cut, hardly any dither. cutting: spin
+/// up, contact, a change of the chip load during the cut, contact off.
 enum class ProfileKind : std::uint8_t { kRich, kCommissioning, kProduction, kCutting };
 
 inline constexpr std::array<std::string_view, 4> kProfileNames{"rich", "commissioning", "production",
@@ -25,6 +26,7 @@ struct Command {
   double force_dither_n = 0.0;
   double contact = 0.0;
   double chip_load_mm = 0.0;
+  double engagement = 1.0;  ///< of the machine's
 };
 
 /// The commands of one run as a function of time.
@@ -37,6 +39,7 @@ class Profile {
 
  private:
   [[nodiscard]] Command rich(double time_s) const;
+  [[nodiscard]] double stepped_chip_load(double time_s) const;
   [[nodiscard]] Command commissioning(double time_s) const;
   [[nodiscard]] Command production(double time_s) const;
   [[nodiscard]] Command cutting(double time_s) const;

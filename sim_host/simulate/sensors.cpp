@@ -1,5 +1,6 @@
 #include "sim_host/simulate/sensors.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace morepro::host {
@@ -15,11 +16,19 @@ SensorModel::SensorModel(const Sensors& sensors, std::uint64_t seed) : sensors_(
   }
 }
 
+double SensorModel::step_of(Channel channel) const {
+  const SensorNoise& sensor = sensors_[channel];
+  const bool is_affected = channel == Channel::kSpindleSpeed || channel == Channel::kFeedSpeed ||
+                           channel == Channel::kArmatureCurrent;
+  if (!is_affected) return sensor.lsb;
+  return std::max(sensor.lsb, quantization_ * (sensor.lsb > 0.0 ? sensor.lsb : sensor.noise));
+}
+
 void SensorModel::measure(Channel channel, double truth, SensorFrame& frame) {
   if (!(measured_ & bit_of(channel))) return;
   const SensorNoise& sensor = sensors_[channel];
   double value = truth + sensor.noise * noise_[index_of(channel)].next();
-  if (sensor.lsb > 0.0) value = std::round(value / sensor.lsb) * sensor.lsb;
+  if (const double step = step_of(channel); step > 0.0) value = std::round(value / step) * step;
   frame.set(channel, static_cast<float>(value));
 }
 

@@ -5,7 +5,6 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kAmbientDegc = 20.0;
 // Room for acceleration and dither above the voltage of the steady cut.
 constexpr double kVoltageReserve = 1.5;
 
@@ -21,7 +20,9 @@ Simulation::Simulation(const MonitorConfiguration& configuration, const Simulati
       frame_count_(static_cast<std::uint64_t>(std::llround(options.duration_s * options.rate_hz))),
       profile_(options.profile, parameters_, options.duration_s, options.seed),
       sensors_(configuration.sensors, options.seed),
-      machine_(parameters_, period_s_),
+      sampling_(options.effects, options.seed),
+      disturbance_(configuration, options.process_noise, period_s_, options.seed),
+      machine_(parameters_, period_s_, options.effects),
       speed_controller_(
           speed_controller(parameters_, kVoltageReserve * profile_.operating_point().voltage_v)),
       feed_controller_(feed_controller(parameters_)) {}
@@ -31,28 +32,41 @@ std::uint16_t Simulation::recorded() const {
 }
 
 bool Simulation::next(SensorFrame& frame) {
-  if (index_ >= frame_count_) return false;
+  while (index_ < frame_count_) {
+    sample(frame);
+    if (!sampling_.is_lost()) return true;
+  }
+  return false;
+}
+
+void Simulation::sample(SensorFrame& frame) {
   const double time_s = static_cast<double>(index_) * period_s_;
   frame = SensorFrame{};
   frame.sequence = static_cast<std::uint32_t>(index_);
   frame.time_us = static_cast<std::uint32_t>(std::llround(time_s * 1.0e6));
+  sampling_.next(index_, time_s);
+  sensors_.set_quantization(sampling_.quantization());
+  machine_.disturb(disturbance_.next());
   measure_state(frame);
   apply(profile_.at(time_s), frame);
   measure_accelerations(frame);
   machine_.step(input_of(frame));
   ++index_;
-  return true;
 }
 
+// A sample that is late or early sees the motion of the interval before: its inputs end with the sample.
 void Simulation::measure_state(SensorFrame& frame) {
   const PlantState<double>& state = machine_.state();
-  sensors_.measure(Channel::kSpindleSpeed, state.speed_rad_s, frame);
-  sensors_.measure(Channel::kSpindleAngle, machine_.angle_rad(), frame);
-  sensors_.measure(Channel::kFeedSpeed, state.feed_speed_m_s, frame);
-  sensors_.measure(Channel::kFeedPosition, machine_.position_m(), frame);
-  sensors_.measure(Channel::kArmatureCurrent, state.current_a, frame);
-  sensors_.measure(Channel::kToolTemperature, parameters_.thermal.tool_degc, frame);
-  sensors_.measure(Channel::kWindingTemperature, kAmbientDegc, frame);
+  const PlantState<double> seen = advanced(state, sampling_.late_s(), machine_.last_rate());
+  const gap::Contribution<double>& error = machine_.sensor_error();
+  const double late_s = sampling_.late_s();
+  sensors_.measure(Channel::kSpindleSpeed, seen.speed_rad_s + error.speed_rad_s, frame);
+  sensors_.measure(Channel::kSpindleAngle, machine_.angle_rad() + late_s * state.speed_rad_s, frame);
+  sensors_.measure(Channel::kFeedSpeed, seen.feed_speed_m_s + error.feed_speed_m_s, frame);
+  sensors_.measure(Channel::kFeedPosition, machine_.position_m() + late_s * state.feed_speed_m_s, frame);
+  sensors_.measure(Channel::kArmatureCurrent, seen.current_a + error.current_a, frame);
+  sensors_.measure(Channel::kToolTemperature, machine_.temperatures().tool_degc(), frame);
+  sensors_.measure(Channel::kWindingTemperature, machine_.temperatures().winding_degc(), frame);
 }
 
 // The controllers see what their sensors see; where a machine has none they see the truth.
@@ -73,7 +87,7 @@ void Simulation::apply(const Command& command, SensorFrame& frame) {
   frame.set(Channel::kArmatureVoltage, static_cast<float>(voltage_v));
   frame.set(Channel::kFeedForce, static_cast<float>(force_n));
   frame.set(Channel::kContact, static_cast<float>(command.contact));
-  frame.set(Channel::kEngagement, static_cast<float>(parameters_.feed.engagement));
+  frame.set(Channel::kEngagement, static_cast<float>(command.engagement * parameters_.feed.engagement));
   frame.set(Channel::kChipLoad, static_cast<float>(command.chip_load_mm));
 }
 
@@ -91,7 +105,7 @@ PlantInput<double> Simulation::input_of(const SensorFrame& frame) const {
           .contact = at(Channel::kContact),
           .engagement = at(Channel::kEngagement),
           .chip_load_mm = at(Channel::kChipLoad),
-          .tool_temperature_degc = parameters_.thermal.tool_degc};
+          .tool_temperature_degc = machine_.temperatures().tool_degc()};
 }
 
 }  // namespace morepro::host

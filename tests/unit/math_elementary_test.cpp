@@ -133,12 +133,105 @@ TEST(Elementary, TanhIsOddAndSaturates) {
   EXPECT_TRUE(std::isnan(math::tanh(kNan)));
 }
 
+/// Largest errors of sin_cos against the standard library's, of either function.
+struct AngleError {
+  double absolute = 0.0;
+  double relative = 0.0;
+  void take(float ours, double theirs) {
+    absolute = std::max(absolute, std::abs(double{ours} - theirs));
+    relative = std::max(relative, std::abs(double{ours} / theirs - 1.0));
+  }
+};
+
+template <class Draw>
+AngleError worst_angle_error(Draw draw) {
+  std::mt19937 generator(20260101);
+  AngleError worst;
+  for (int k = 0; k < kSamples; ++k) {
+    const float x = draw(generator);
+    const auto ours = math::sin_cos(x);
+    worst.take(ours.sin, std::sin(double{x}));
+    worst.take(ours.cos, std::cos(double{x}));
+  }
+  return worst;
+}
+
+// A sweep of 2e7 arguments each gave 1.8e-7 of the value up to 100, and an error of 1.1e-7 everywhere.
+TEST(Elementary, SinAndCosKeepTheirRelativePrecisionBesideTheirZeros) {
+  EXPECT_LT(worst_angle_error(uniform(-100.0F, 100.0F)).relative, 2.0e-7);
+  for (int quarter = 1; quarter <= 63; ++quarter) {
+    const auto x = static_cast<float>(quarter * 1.5707963267948966);
+    const auto zero_near = quarter % 2 == 0 ? double{math::sin(x)} / std::sin(double{x})
+                                            : double{math::cos(x)} / std::cos(double{x});
+    EXPECT_NEAR(zero_near, 1.0, 2.0e-7) << quarter;
+  }
+}
+TEST(Elementary, SinAndCosAreWithinTheirBoundForEveryArgument) {
+  EXPECT_LT(worst_angle_error(uniform(-1.0e5F, 1.0e5F)).absolute, 1.2e-7);
+  EXPECT_LT(worst_angle_error(log_uniform(-30.0, 38.0)).absolute, 1.2e-7);
+}
+
+TEST(Elementary, SinAndCosAgreeWhereTheReductionChanges) {
+  for (const float x :
+       {1.0e5F, std::nextafter(1.0e5F, 1.0e6F), 131072.0F, std::numeric_limits<float>::max()}) {
+    EXPECT_NEAR(double{math::sin(x)}, std::sin(double{x}), 1.2e-7) << x;
+    EXPECT_NEAR(double{math::cos(x)}, std::cos(double{x}), 1.2e-7) << x;
+  }
+}
+
+TEST(Elementary, SinIsOddAndCosIsEven) {
+  for (const float x : {1.0e-40F, 1.0e-3F, 0.7853982F, 1.5707964F, 3.0F, 777.7F, 1.0e5F, 3.0e6F, 2.0e38F}) {
+    EXPECT_EQ(math::sin(-x), -math::sin(x)) << x;
+    EXPECT_EQ(math::cos(-x), math::cos(x)) << x;
+  }
+  EXPECT_EQ(math::sin(0.0F), 0.0F);
+  EXPECT_EQ(math::cos(0.0F), 1.0F);
+}
+
+TEST(Elementary, SinAndCosOfNoNumberAreNan) {
+  for (const float x : {kInfinity, -kInfinity, kNan}) {
+    EXPECT_TRUE(std::isnan(math::sin(x)));
+    EXPECT_TRUE(std::isnan(math::cos(x)));
+  }
+}
+
+TEST(Elementary, Atan2IsWithinItsBoundInEveryOctant) {
+  std::mt19937 generator(5);
+  double worst = 0.0;
+  for (int k = 0; k < kSamples; ++k) {
+    const float y = uniform(-10.0F, 10.0F)(generator);
+    const float x = uniform(-10.0F, 10.0F)(generator);
+    worst = std::max(worst, std::abs(double{math::atan2(y, x)} - std::atan2(double{y}, double{x})));
+  }
+  EXPECT_LT(worst, 3.0e-7);
+}
+
+TEST(Elementary, Atan2KeepsItsRelativePrecisionForSmallAngles) {
+  const auto ours = [](float y) { return math::atan2(y, 2.0F); };
+  EXPECT_LT(worst_error(log_uniform(-30.0, 0.0), ours, [](double y) { return std::atan2(y, 2.0); }), 3.0e-7);
+}
+
+TEST(Elementary, Atan2IsDefinedForEveryArgument) {
+  EXPECT_EQ(math::atan2(0.0F, 0.0F), 0.0F);
+  EXPECT_EQ(math::atan2(0.0F, 1.0F), 0.0F);
+  for (const float y : {1.0e-40F, 1.0F, 3.0e38F}) {
+    EXPECT_NEAR(math::atan2(y, 0.0F), 1.57079633F, 2.0e-7F);
+    EXPECT_NEAR(math::atan2(-y, 0.0F), -1.57079633F, 2.0e-7F);
+  }
+  EXPECT_NEAR(math::atan2(0.0F, -1.0F), 3.14159265F, 3.0e-7F);
+  EXPECT_NEAR(math::atan2(3.0e38F, 3.0e38F), 0.785398163F, 1.0e-7F);
+  for (const float x : {kNan, kInfinity, -kInfinity}) {
+    EXPECT_TRUE(std::isnan(math::atan2(x, 1.0F)));
+    EXPECT_TRUE(std::isnan(math::atan2(1.0F, x)));
+  }
+}
+
 TEST(Elementary, EveryNanGivesNan) {
   for (const std::uint32_t bits :
        {0x7F800001U, 0x7FBFFFFFU, 0x7FC00000U, 0x7FFFFFFFU, 0xFF812345U, 0xFFFFFFFFU}) {
     const float x = std::bit_cast<float>(bits);
-    for (const float y :
-         {math::exp(x), math::exp2(x), math::log(x), math::tanh(x), math::pow(x, 0.5F), math::pow(2.0F, x)}) {
+    for (const float y : {math::exp(x), math::exp2(x), math::log(x), math::tanh(x), math::sin(x),
+                          math::cos(x), math::pow(x, 0.5F), math::pow(2.0F, x)}) {
       EXPECT_TRUE(std::isnan(y)) << std::hex << bits;
     }
   }

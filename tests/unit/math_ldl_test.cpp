@@ -33,6 +33,18 @@ TEST(Ldl, RefusesWhatIsNotPositive) {
   EXPECT_FALSE((math::Ldl<double, 3>(Matrix3::Zero()).is_positive()));
 }
 
+TEST(Ldl, ItsSmallestPivotTellsHowNearASingularMatrixIs) {
+  Matrix3 s = Matrix3::Identity();
+  EXPECT_EQ((math::Ldl<double, 3>(s).smallest_pivot()), 1.0);
+  s(0, 0) = 4.0;
+  s(1, 0) = s(0, 1) = 1.9;
+  EXPECT_NEAR((math::Ldl<double, 3>(s).smallest_pivot()), 1.0 - 1.9 * 1.9 / 4.0, 1.0e-15);
+  s(1, 0) = s(0, 1) = 2.1;
+  EXPECT_LT((math::Ldl<double, 3>(s).smallest_pivot()), 0.0);
+  s(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE((math::Ldl<double, 3>(s).smallest_pivot() >= 0.0));
+}
+
 TEST(Ldl, RefusesNanAndInfinity) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "lib/gap/effect_term.hpp"
+
+namespace morepro::gap {
+
+inline constexpr std::size_t kMostParts = 4;
+
+/// An effect with its size: what is added to a model.
+struct AppliedEffect {
+  EffectForm form;
+  std::array<double, kMostParts> coefficient{};  ///< one per part of the form
+  double onset_s = 0.0;                          ///< sets in at this time of a recording
+};
+
+/// The parts of one applied effect, stepped together.
+template <class Real, std::size_t kDelaySteps>
+class AppliedTerm {
+ public:
+  AppliedTerm() = default;
+  AppliedTerm(const AppliedEffect& effect, const EffectScales<Real>& scales, double step_s)
+      : onset_s_(static_cast<Real>(effect.onset_s)), parts_(effect.form.parts) {
+    for (std::size_t i = 0; i < parts_; ++i) {
+      term_[i] = EffectTerm<Real, kDelaySteps>(effect.form, static_cast<int>(i), scales, step_s);
+      coefficient_[i] = static_cast<Real>(effect.coefficient[i]);
+    }
+  }
+
+  /// Adds what the effect contributes during one step. Memories run from the start, so that they are right at
+  /// the onset; what grows with the cutting time grows from the onset on.
+  void step(const EffectSignals<Real>& signals, Contribution<Real>& sum) {
+    const bool is_on = signals.time_s >= onset_s_;
+    const Real share = is_on ? Real(1) : Real(0);
+    if (!is_on) cutting_before_s_ = signals.cutting_time_s;
+    EffectSignals<Real> since = signals;
+    since.cutting_time_s -= cutting_before_s_;
+    for (std::size_t i = 0; i < parts_; ++i) {
+      const Contribution<Real> one = term_[i].step(since);
+      const Real gain = share * coefficient_[i];
+      sum.torque_nm += gain * one.torque_nm;
+      sum.force_n += gain * one.force_n;
+      sum.voltage_v += gain * one.voltage_v;
+      sum.speed_rad_s += gain * one.speed_rad_s;
+      sum.current_a += gain * one.current_a;
+      sum.feed_speed_m_s += gain * one.feed_speed_m_s;
+    }
+  }
+
+ private:
+  std::array<EffectTerm<Real, kDelaySteps>, kMostParts> term_{};
+  std::array<Real, kMostParts> coefficient_{};
+  Real onset_s_ = 0;
+  Real cutting_before_s_ = 0;
+  std::size_t parts_ = 0;
+};
+
+}  // namespace morepro::gap

@@ -1,0 +1,64 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "lib/gap/applied_effect.hpp"
+#include "lib/gap/effect_term.hpp"
+
+namespace morepro::gap {
+
+/// Does the effect sit in a sensor? Else it acts on the machine.
+constexpr bool is_in_sensor(Effect effect) {
+  return effect >= Effect::kSpindleSpeedBias && effect <= Effect::kSampleDropout;
+}
+
+/// Effects that are part of the model already, and the terms that might be missing from it.
+template <class Real, std::size_t kMostTerms, std::size_t kMostApplied, std::size_t kDelaySteps>
+class ColumnSet {
+ public:
+  ColumnSet(const EffectScales<Real>& scales, double step_s) : scales_(scales), step_s_(step_s) {}
+
+  /// All parts of a form; false where there is no room.
+  bool add(const EffectForm& form) {
+    if (terms_ + form.parts > kMostTerms) return false;
+    for (int part = 0; part < form.parts; ++part)
+      term_[terms_++] = EffectTerm<Real, kDelaySteps>(form, part, scales_, step_s_);
+    return true;
+  }
+  bool apply(const AppliedEffect& effect) {
+    if (applied_ == kMostApplied) return false;
+    applied_is_sensor_[applied_] = is_in_sensor(effect.form.effect);
+    applied_term_[applied_++] = AppliedTerm<Real, kDelaySteps>(effect, scales_, step_s_);
+    return true;
+  }
+  [[nodiscard]] std::size_t size() const { return terms_; }
+  [[nodiscard]] const EffectScales<Real>& scales() const { return scales_; }
+
+  /// Sum of the effects in the model: those of the sensors, or the others.
+  Contribution<Real> applied(const EffectSignals<Real>& signals, bool in_sensor) {
+    Contribution<Real> sum;
+    for (std::size_t i = 0; i < applied_; ++i)
+      if (applied_is_sensor_[i] == in_sensor) applied_term_[i].step(signals, sum);
+    return sum;
+  }
+
+  /// visit(index, contribution) for every term: what it adds where it is of that sort, nothing where it is not.
+  template <class Visit>
+  void for_each(const EffectSignals<Real>& signals, bool in_sensor, Visit visit) {
+    for (std::size_t j = 0; j < terms_; ++j) {
+      const bool acts = is_in_sensor(term_[j].form().effect) == in_sensor;
+      visit(j, acts ? term_[j].step(signals) : Contribution<Real>{});
+    }
+  }
+
+ private:
+  EffectScales<Real> scales_;
+  double step_s_;
+  std::array<EffectTerm<Real, kDelaySteps>, kMostTerms> term_{};
+  std::array<AppliedTerm<Real, kDelaySteps>, kMostApplied> applied_term_{};
+  std::array<bool, kMostApplied> applied_is_sensor_{};
+  std::size_t terms_ = 0;
+  std::size_t applied_ = 0;
+};
+
+}  // namespace morepro::gap

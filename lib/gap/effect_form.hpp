@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+
+#include "lib/gap/effect.hpp"
+
+namespace morepro::gap {
+
+/// One shape that an effect can have. Its parts enter a balance with a free coefficient each: sine and cosine
+/// where a phase is not known, else there is one.
+struct EffectForm {
+  Effect effect = Effect::kSpindleCoulombFriction;
+  std::uint8_t kind = 0;   ///< among the laws of one effect
+  std::uint8_t parts = 1;  ///< 1 .. 4
+  float shape = 0.0F;      ///< what the law is not linear in; its meaning stands with the law
+};
+
+/// Is the size that an engineer states the shape itself, with a coefficient of one?
+constexpr bool size_is_shape(Effect effect) {
+  switch (effect) {
+    case Effect::kDriveLag:
+    case Effect::kFeedDriveLag:
+    case Effect::kFeedBacklash:
+    case Effect::kSpindleSpeedDelay:
+    case Effect::kCurrentDelay:
+    case Effect::kFeedSpeedDelay:
+    case Effect::kSpindleSpeedBandwidth:
+    case Effect::kCurrentBandwidth:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace morepro::gap

@@ -1,0 +1,160 @@
+#pragma once
+#include "lib/gap/effect_form.hpp"
+#include "lib/gap/effect_scales.hpp"
+#include "lib/gap/effect_signals.hpp"
+#include "lib/math/elementary.hpp"
+
+/// Laws of the effects that need no memory, for a coefficient of one. Friction and contact loads oppose the
+/// motion, so that a positive size is a load.
+namespace morepro::gap::laws {
+
+/// Direction of a motion, smooth within `width`.
+template <class Real>
+Real side(Real speed, Real width) {
+  return math::tanh(speed / width);
+}
+
+/// Friction that is gone beyond a speed (Stribeck, with a Gaussian).
+template <class Real>
+Real breakaway(Real speed, Real width, Real range) {
+  const Real ratio = speed / range;
+  return side(speed, width) * math::exp_of_nonpositive(-ratio * ratio);
+}
+
+/// Sine (part 0, 2, ..) or cosine (1, 3, ..) of the angle, twice the angle (parts 2 and 3), ..
+template <class Real>
+Real harmonic(Real angle_rad, int part) {
+  const Real angle = angle_rad * static_cast<Real>(1 + part / 2);
+  return part % 2 == 0 ? math::sin(angle) : math::cos(angle);
+}
+
+inline constexpr float kSmoothShare = 0.002F;  ///< of the reference speed: where friction changes its side
+
+template <class Real>
+Real spindle_side(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  return side(s.speed_rad_s, static_cast<Real>(kSmoothShare) * k.speed_rad_s);
+}
+
+/// Torque in N m on the spindle, added to Kt i.
+template <class Real>
+Real torque(const EffectForm& form, int part, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  const Real shape = static_cast<Real>(form.shape);
+  const Real w = s.speed_rad_s;
+  switch (form.effect) {
+    case Effect::kSpindleCoulombFriction:  // shape: share of the reference speed
+      return -side(w, shape * k.speed_rad_s);
+    case Effect::kSpindleStribeckFriction:  // shape: share of the reference speed
+      return -breakaway(w, static_cast<Real>(kSmoothShare) * k.speed_rad_s, shape * k.speed_rad_s);
+    case Effect::kSpindleWindage:
+      return -w * math::abs(w);
+    case Effect::kSpindleCogging:  // shape: periods per revolution
+      return -harmonic(shape * s.angle_rad, part);
+    case Effect::kToothPassingTorque:
+      return s.contact == Real(0) ? Real(0) : -s.contact * harmonic(k.teeth * s.angle_rad, part);
+    case Effect::kContactSpeedDependence:
+      return -s.contact * spindle_side(s, k) * (math::abs(w) / k.speed_rad_s - Real(1));
+    case Effect::kContactChipLoadDependence:
+      return -s.contact * spindle_side(s, k) * (s.chip_load_mm / k.chip_load_mm - Real(1));
+    case Effect::kContactTemperatureDependence:
+      return -s.contact * spindle_side(s, k) * (s.tool_degc - k.tool_degc) * Real(0.01);
+    case Effect::kToolWearRamp:
+      return -s.contact * spindle_side(s, k) * s.cutting_time_s;
+    case Effect::kViscousTemperatureDependence:  // kind 1: the heat comes from the tool
+      return -k.viscous_friction_nms_rad * w *
+             (form.kind == 0 ? s.winding_degc - k.winding_degc : s.tool_degc - k.tool_degc);
+    case Effect::kTorqueConstantSaturation:
+      return -k.torque_constant_nm_a * s.current_a * s.current_a * s.current_a;
+    case Effect::kArmatureReaction:  // kind 1: the weaker field weakens the torque too
+      return form.kind == 0 ? Real(0) : -k.torque_constant_nm_a * s.current_a * math::abs(s.current_a);
+    case Effect::kMagnetTemperatureDrift:  // kind 1: likewise
+      return form.kind == 0 ? Real(0)
+                            : -k.torque_constant_nm_a * s.current_a * (s.winding_degc - k.winding_degc);
+    default:
+      return Real(0);
+  }
+}
+
+/// Voltage in V on the armature, added to V.
+template <class Real>
+Real voltage(const EffectForm& form, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  switch (form.effect) {
+    case Effect::kBrushVoltageDrop:  // shape: share of the reference current
+      return -side(s.current_a, static_cast<Real>(form.shape) * k.current_a);
+    case Effect::kResistanceTemperatureDrift:
+      return -k.resistance_ohm * s.current_a * (s.winding_degc - k.winding_degc);
+    case Effect::kInductanceSaturation:
+      return k.inductance_h * s.current_a * s.current_a * s.current_rate_a_s;
+    case Effect::kSupplyVoltageOffset:
+      return Real(1);
+    case Effect::kArmatureReaction:
+      return k.back_emf_constant_vs_rad * s.speed_rad_s * math::abs(s.current_a);
+    case Effect::kMagnetTemperatureDrift:
+      return k.back_emf_constant_vs_rad * s.speed_rad_s * (s.winding_degc - k.winding_degc);
+    default:
+      return Real(0);
+  }
+}
+
+/// Net force in N of the nominal model without contact.
+template <class Real>
+Real free_force(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  return s.feed_force_n - k.feed_viscous_friction_ns_m * s.feed_speed_m_s;
+}
+
+template <class Real>
+Real screw_rad_m(Real pitch_m, const EffectScales<Real>& k) {
+  constexpr double kTurn = 6.283185307179586;
+  return pitch_m > Real(0) ? static_cast<Real>(kTurn) / pitch_m : k.per_screw_turn_rad_m;
+}
+
+/// Force in N on the feed axis, added to F1.
+template <class Real>
+Real force(const EffectForm& form, int part, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  const Real shape = static_cast<Real>(form.shape);
+  const Real v = s.feed_speed_m_s;
+  switch (form.effect) {
+    case Effect::kFeedCoulombFriction:  // shape: share of the reference speed
+      return -side(v, shape * k.feed_speed_m_s);
+    case Effect::kFeedViscousFriction:
+      return -v;
+    case Effect::kFeedStribeckFriction:  // shape: share of the reference speed
+      return -breakaway(v, Real(0.01) * k.feed_speed_m_s, shape * k.feed_speed_m_s);
+    case Effect::kFeedAsymmetricFriction:
+      return -math::abs(v) / k.feed_speed_m_s;
+    case Effect::kFeedForceOffset:
+      return Real(-1);
+    case Effect::kFeedScrewPeriodic:  // shape: pitch in m, 0: the machine's
+      return -harmonic(screw_rad_m(shape, k) * s.feed_position_m, part);
+    case Effect::kFeedCuttingSpeedDependence:  // kind 1: on the feed's speed
+      return -s.contact * (form.kind == 0 ? math::abs(s.speed_rad_s) / k.speed_rad_s - Real(1)
+                                          : math::abs(v) / k.feed_speed_m_s - Real(1));
+    case Effect::kFeedToothPassingForce:
+      return s.contact == Real(0) ? Real(0) : -s.contact * harmonic(k.teeth * s.angle_rad, part);
+    case Effect::kFeedSpring:
+      return -s.feed_position_m;
+    case Effect::kFeedContactDrift:
+      return -s.contact * s.cutting_time_s * Real(0.1);
+    case Effect::kFeedForceSaturation:
+      return -s.feed_force_n * s.feed_force_n * s.feed_force_n;
+    default:
+      return Real(0);
+  }
+}
+
+/// What the spindle's speed sensor shows too much, in rad/s.
+template <class Real>
+Real speed_error(const EffectForm& form, int part, const EffectSignals<Real>& s) {
+  if (form.effect == Effect::kSpindleSpeedBias) return Real(1);
+  if (form.effect == Effect::kEncoderEccentricity) return s.speed_rad_s * harmonic(s.angle_rad, part);
+  return Real(0);
+}
+
+/// What the current sensor shows too much, in A.
+template <class Real>
+Real current_error(const EffectForm& form, const EffectSignals<Real>& s) {
+  if (form.effect == Effect::kCurrentBias) return Real(1);
+  if (form.effect != Effect::kCurrentNonlinearity) return Real(0);
+  return s.current_a * (form.kind == 0 ? math::abs(s.current_a) : s.current_a);
+}
+
+}  // namespace morepro::gap::laws

@@ -1,0 +1,123 @@
+#pragma once
+#include <cstddef>
+
+#include "lib/gap/effect_form.hpp"
+#include "lib/gap/effect_laws.hpp"
+#include "lib/gap/effect_memory.hpp"
+#include "lib/gap/effect_scales.hpp"
+#include "lib/gap/effect_signals.hpp"
+#include "lib/gap/unnamed_laws.hpp"
+
+namespace morepro::gap {
+
+/// One part of one form of an effect, stepped once per interval with the same code in the simulated machine,
+/// in the diagnosis on a PC and on the board. Sensor effects are evaluated at the interval's end, the others
+/// in its middle. `kDelaySteps`: longest delay in steps that it can show.
+template <class Real, std::size_t kDelaySteps>
+class EffectTerm {
+ public:
+  EffectTerm() = default;
+  /// 0 <= part < form.parts; step_s > 0.
+  EffectTerm(const EffectForm& form, int part, const EffectScales<Real>& scales, double step_s)
+      : form_(form), part_(part), scales_(scales), step_s_(static_cast<Real>(step_s)) {
+    start(form.shape, step_s);
+  }
+
+  [[nodiscard]] const EffectForm& form() const { return form_; }
+  [[nodiscard]] int part() const { return part_; }
+
+  /// What the effect adds during one step, for a coefficient of one.
+  Contribution<Real> step(const EffectSignals<Real>& s) {
+    switch (form_.effect) {
+      case Effect::kShaftCompliance:
+        return {.torque_nm = scales_.inertia_kgm2 * resonance_(s.acceleration_rad_s2)};
+      case Effect::kDriveLag:
+      case Effect::kFeedDriveLag:
+        return lagging(s);
+      case Effect::kFeedBacklash:
+        return {.force_n = in_play(s)};
+      case Effect::kFeedPresliding:
+        return {.force_n = -bristle_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape))};
+      case Effect::kSpindleSpeedDelay:
+        return {.speed_rad_s = delayed(s.speed_rad_s)};
+      case Effect::kCurrentDelay:
+        return {.current_a = delayed(s.current_a)};
+      case Effect::kFeedSpeedDelay:
+        return {.feed_speed_m_s = delayed(s.feed_speed_m_s)};
+      case Effect::kSpindleSpeedBandwidth:
+        return {.speed_rad_s = lag_.end(s.speed_rad_s) - s.speed_rad_s};
+      case Effect::kCurrentBandwidth:
+        return {.current_a = lag_.end(s.current_a) - s.current_a};
+      case Effect::kUnnamedTorque:
+        return {.torque_nm = unnamed(s)};
+      case Effect::kUnnamedVoltage:
+        return {.voltage_v = unnamed(s)};
+      case Effect::kUnnamedForce:
+        return {.force_n = unnamed(s)};
+      default:
+        return by_law(s);
+    }
+  }
+
+ private:
+  void start(double shape, double step_s) {
+    constexpr double kTurn = 6.283185307179586;
+    if (form_.effect == Effect::kShaftCompliance) resonance_ = Resonance<Real>(kTurn * shape, step_s);
+    if (is_lag()) lag_ = Lag<Real>(shape, step_s);
+    delay_steps_ = static_cast<Real>(shape / step_s);
+  }
+
+  [[nodiscard]] bool is_lag() const {
+    return form_.effect == Effect::kDriveLag || form_.effect == Effect::kFeedDriveLag ||
+           form_.effect == Effect::kSpindleSpeedBandwidth || form_.effect == Effect::kCurrentBandwidth ||
+           (form_.effect >= Effect::kUnnamedTorque && form_.shape > 0.0F);
+  }
+
+  Contribution<Real> lagging(const EffectSignals<Real>& s) {
+    if (form_.effect == Effect::kFeedDriveLag)
+      return {.force_n = lag_.mean(s.feed_force_n) - s.feed_force_n};
+    return {.voltage_v = lag_.mean(s.armature_voltage_v) - s.armature_voltage_v};
+  }
+
+  /// Effects of one group never act elsewhere, but for those of the flux, which act on voltage and torque.
+  Contribution<Real> by_law(const EffectSignals<Real>& s) const {
+    if (form_.effect < Effect::kFeedCoulombFriction) return {.torque_nm = laws::torque(form_, part_, s, scales_)};
+    if (form_.effect < Effect::kBrushVoltageDrop) return {.force_n = laws::force(form_, part_, s, scales_)};
+    if (form_.effect < Effect::kSpindleSpeedBias)
+      return {.torque_nm = laws::torque(form_, part_, s, scales_), .voltage_v = laws::voltage(form_, s, scales_)};
+    return {.speed_rad_s = laws::speed_error(form_, part_, s), .current_a = laws::current_error(form_, s)};
+  }
+
+  /// In the play, half of the mass is without a load: it takes up the whole net force (part 0) and is spared
+  /// the friction of the other half (part 1).
+  Real in_play(const EffectSignals<Real>& s) {
+    if (!play_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape))) return Real(0);
+    if (part_ == 0) return laws::free_force(s, scales_);
+    return laws::side(s.feed_speed_m_s, Real(0.01) * scales_.feed_speed_m_s);
+  }
+
+  /// kind: number of the law; a shape is a time constant, through which the law is seen.
+  Real unnamed(const EffectSignals<Real>& s) {
+    const Real value = form_.effect == Effect::kUnnamedForce ? laws::unnamed_feed(form_.kind, s, scales_)
+                                                             : laws::unnamed_spindle(form_.kind, s, scales_);
+    return form_.shape > 0.0F ? lag_.end(value) : value;
+  }
+
+  Real delayed(Real value) {
+    line_.push(value);
+    return line_.before(delay_steps_) - value;
+  }
+
+  EffectForm form_;
+  int part_ = 0;
+  EffectScales<Real> scales_;
+  Real step_s_ = 0;
+  Real delay_steps_ = 0;
+  Lag<Real> lag_;
+  Resonance<Real> resonance_;
+  Bristle<Real> bristle_;
+  Play<Real> play_;
+  DelayLine<Real, kDelaySteps + 2> line_;
+};
+
+}  // namespace morepro::gap

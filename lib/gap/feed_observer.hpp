@@ -1,0 +1,164 @@
+#pragma once
+#include "lib/gap/column_set.hpp"
+#include "lib/gap/gap_frame.hpp"
+#include "lib/gap/two_state_observer.hpp"
+
+namespace morepro::gap {
+
+/// Parameters of the nominal feed axis that may be off, in the order of their columns; relative errors, but the
+/// contact load's: 1 N.
+enum class FeedColumn : std::size_t { kMass = 0, kViscousFriction, kContactLoad, kEngagedLoad };
+inline constexpr std::size_t kFeedParameters = 4;
+
+/// Observer of feed position and speed, from either sensor or both.
+template <class Real, std::size_t kTerms, std::size_t kApplied, std::size_t kDelaySteps>
+class FeedObserver {
+ public:
+  static constexpr std::size_t kColumns = kFeedParameters + kTerms;
+  using Observer = TwoStateObserver<Real, kColumns>;
+  using Row = typename Observer::Row;
+  using Terms = ColumnSet<Real, kTerms, kApplied, kDelaySteps>;
+  struct Rows {
+    Row position;
+    Row speed;
+  };
+
+  FeedObserver(const MachineParameters& machine, const ReferencePoint& point, double step_s,
+               const GapNoise<Real>& noise)
+      : terms_(EffectScales<Real>(machine, point), step_s),
+        contact_force_n_(static_cast<Real>(machine.feed.contact_force_n)),
+        contact_offset_n_(static_cast<Real>(machine.feed.contact_offset_n)),
+        step_s_(static_cast<Real>(step_s)),
+        noise_(noise) {
+    const double rate = -machine.feed.viscous_friction_ns_m / machine.feed.mass_kg;
+    const auto step = math::exponential_step(math::Matrix2{0.0, 1.0, 0.0, rate}, step_s);
+    const auto cast = [](const math::Matrix2& m) {
+      return math::BasicMatrix2<Real>{static_cast<Real>(m.a00), static_cast<Real>(m.a01),
+                                      static_cast<Real>(m.a10), static_cast<Real>(m.a11)};
+    };
+    exp_ = cast(step.exp);
+    integral_ = cast(step.integral);
+  }
+
+  Terms& terms() { return terms_; }
+  /// What the effects of the model added during the last interval, and what they made the sensors show at its
+  /// beginning.
+  [[nodiscard]] const Contribution<Real>& added() const { return added_; }
+  [[nodiscard]] const Contribution<Real>& shown() const { return shown_; }
+  /// The next frame is a new beginning, in the same place.
+  void restart() { is_started_ = false; }
+
+  /// Rows of the frame's measurements, then on to the next frame. `spindle_speed_rad_s` and `angle_rad`: of the
+  /// spindle, where they are known.
+  void step(const GapFrame<Real>& frame, Real spindle_speed_rad_s, Real angle_rad, Rows& rows) {
+    see(frame, spindle_speed_rad_s, angle_rad, rows);
+    move_on(frame);
+  }
+  /// The first half of it: the rows of the frame's measurements.
+  void see(const GapFrame<Real>& frame, Real spindle_speed_rad_s, Real angle_rad, Rows& rows) {
+    rows.speed.is_measured = rows.position.is_measured = false;
+    spindle_speed_rad_s_ = spindle_speed_rad_s;
+    angle_rad_ = angle_rad;
+    if (!is_started_) return start(frame);
+    update(frame, rows);
+  }
+  /// The second half: on to the next frame.
+  void move_on(const GapFrame<Real>& frame) {
+    if (is_started_) predict(frame);
+  }
+
+ private:
+  void start(const GapFrame<Real>& frame) {
+    if (!frame.has_feed_speed && !frame.has_feed_position) return;
+    is_started_ = true;
+    observer_.set_columns(kFeedParameters + terms_.size());
+    if (!has_origin_) origin_m_ = frame.has_feed_position ? frame.feed_position_m : Real(0);
+    has_origin_ = true;
+    const Real wide = terms_.scales().feed_speed_m_s;
+    observer_.start(frame.feed_position_m - origin_m_, frame.has_feed_speed ? frame.feed_speed_m_s : Real(0),
+                    frame.has_feed_position ? noise_.feed_position_variance : Real(0),
+                    frame.has_feed_speed ? noise_.feed_speed_variance : wide * wide);
+  }
+
+  void update(const GapFrame<Real>& frame, Rows& rows) {
+    const EffectSignals<Real> signals = signals_of(frame, observer_.mean(0), observer_.mean(1));
+    shown_ = terms_.applied(signals, true);
+    terms_.for_each(signals, true, [this](std::size_t j, const Contribution<Real>& c) {
+      second_[kFeedParameters + j] = c.feed_speed_m_s;
+    });
+    for (std::size_t j = 0; j < kFeedParameters; ++j) second_[j] = Real(0);
+    first_.fill(Real(0));
+    if (frame.has_feed_position)
+      observer_.template update<0>(frame.feed_position_m - origin_m_ - observer_.mean(0),
+                                   noise_.doubt(frame.time_s) * noise_.feed_position_variance, first_, rows.position);
+    if (frame.has_feed_speed)
+      observer_.template update<1>(frame.feed_speed_m_s - shown_.feed_speed_m_s - observer_.mean(1),
+                                   noise_.doubt(frame.time_s) * noise_.feed_speed_variance, second_, rows.speed);
+  }
+
+  void predict(const GapFrame<Real>& frame) {
+    const auto& k = terms_.scales();
+    const Real x = observer_.mean(0);
+    const Real v = observer_.mean(1);
+    const Real cut_n = frame.input.contact * (contact_force_n_ * frame.input.engagement + contact_offset_n_);
+    const Real rate = (frame.input.feed_force_n - k.feed_viscous_friction_ns_m * v - cut_n) / k.mass_kg;
+    const Real dv = integral_.a11 * rate;
+    const Real dx = integral_.a00 * v + integral_.a01 * rate;
+    const Real half = Real(0.5);
+    EffectSignals<Real> middle = signals_of(frame, x + half * dx, v + half * dv);
+    load_columns(middle, dv / step_s_, frame.input);
+    added_ = terms_.applied(middle, false);
+    const Real rate_added = added_.force_n / k.mass_kg;
+    observer_.predict(x + dx + integral_.a01 * rate_added, v + dv + integral_.a11 * rate_added, exp_, integral_, Real(0),
+                      noise_.feed_step * noise_.feed_step, first_, second_);
+  }
+
+  void load_columns(const EffectSignals<Real>& s, Real acceleration_m_s2, const PlantInput<Real>& input) {
+    const auto& k = terms_.scales();
+    const Real per_mass = Real(1) / k.mass_kg;
+    first_.fill(Real(0));
+    second_[0] = -acceleration_m_s2;
+    second_[1] = -k.feed_viscous_friction_ns_m * s.feed_speed_m_s * per_mass;
+    second_[2] = -input.contact * per_mass;
+    second_[3] = -input.contact * (input.engagement - Real(1)) * per_mass;
+    terms_.for_each(s, false, [&](std::size_t j, const Contribution<Real>& c) {
+      second_[kFeedParameters + j] = c.force_n * per_mass;
+    });
+  }
+
+  EffectSignals<Real> signals_of(const GapFrame<Real>& frame, Real position_m, Real speed_m_s) const {
+    EffectSignals<Real> s;
+    s.time_s = frame.time_s;
+    s.cutting_time_s = frame.cutting_time_s;
+    s.feed_force_n = frame.input.feed_force_n;
+    s.contact = frame.input.contact;
+    s.chip_load_mm = frame.input.chip_load_mm;
+    s.speed_rad_s = spindle_speed_rad_s_;
+    s.angle_rad = angle_rad_;
+    s.feed_speed_m_s = speed_m_s;
+    s.feed_position_m = position_m;
+    s.tool_degc = frame.input.tool_temperature_degc;
+    s.winding_degc = frame.winding_degc;
+    return s;
+  }
+
+  Terms terms_;
+  Real contact_force_n_;
+  Real contact_offset_n_;
+  Real step_s_;
+  GapNoise<Real> noise_;
+  math::BasicMatrix2<Real> exp_{};
+  math::BasicMatrix2<Real> integral_{};
+  Observer observer_;
+  typename Observer::Columns first_{};
+  typename Observer::Columns second_{};
+  Real origin_m_ = 0;
+  Real spindle_speed_rad_s_ = 0;
+  Real angle_rad_ = 0;
+  Contribution<Real> added_;
+  Contribution<Real> shown_;
+  bool is_started_ = false;
+  bool has_origin_ = false;
+};
+
+}  // namespace morepro::gap

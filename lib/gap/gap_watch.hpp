@@ -1,0 +1,203 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lib/gap/feed_observer.hpp"
+#include "lib/gap/gap_watch_axis.hpp"
+#include "lib/gap/spindle_observer.hpp"
+
+namespace morepro::gap {
+
+/// The gap between model and machine, watched on the board: where it lies and which effect causes it, in
+/// fixed memory and bounded time. A short stretch of frames is stored; then, a piece per frame, both axes'
+/// observers go through it, their rows are worked into the statistics, and these are judged. Then comes the
+/// next stretch.
+template <class Real>
+class GapWatch {
+ public:
+  using Spindle = SpindleObserver<Real, terms_of(kSpindleForms), 0, kBoardDelaySteps>;
+  using Feed = FeedObserver<Real, terms_of(kFeedForms), 0, kBoardDelaySteps>;
+  using SpindleAxis = GapWatchAxis<Real, Spindle, kSpindleParameters, kSpindleForms.size()>;
+  using FeedAxis = GapWatchAxis<Real, Feed, kFeedParameters, kFeedForms.size()>;
+
+  /// step_s > 0: sampling interval of the frames.
+  GapWatch(const MachineParameters& machine, const ReferencePoint& point, double step_s,
+           const GapSettings& settings)
+      : spindle_(machine, point, step_s, noise_of(settings.noise), kSpindleForms,
+                 {kSpread, kSpread, kSpread, kSpread, kSpread, kSpread}, settings.spindle),
+        feed_(machine, point, step_s, noise_of(settings.noise), kFeedForms,
+              {kSpread, kSpread, load_spread(machine), load_spread(machine)}, settings.feed),
+        step_s_(static_cast<Real>(step_s)) {}
+
+  /// Is the next frame one of those that are not stored? Then rest() is enough.
+  [[nodiscard]] bool is_resting() const { return phase_ >= kStretch; }
+
+  /// One frame; frames follow each other by one interval.
+  void step(const GapFrame<Real>& frame) {
+    if (frame.has_speed) speed_rad_s_ = frame.speed_rad_s;
+    if (frame.has_feed_speed) feed_speed_m_s_ = frame.feed_speed_m_s;
+    if (is_resting()) return rest(speed_rad_s_, feed_speed_m_s_, frame.input.contact);
+    if (frame.has_angle) angle_rad_ = frame.angle_rad;
+    stretch_[phase_] = located(frame);
+    move_on(frame.input.contact);
+  }
+
+  /// The same for a frame that is not stored: `speed_rad_s` and `feed_speed_m_s` as last measured.
+  void rest(Real speed_rad_s, Real feed_speed_m_s, Real contact) {
+    speed_rad_s_ = speed_rad_s;
+    feed_speed_m_s_ = feed_speed_m_s;
+    work();
+    move_on(contact);
+  }
+
+  /// Frames are missing: a stretch that has begun begins anew.
+  void interrupt() {
+    if (!is_resting()) begin_stretch();
+  }
+
+  /// Does all that waits at once: takes long, not for an interrupt.
+  void finish() {
+    if (!is_resting()) seen_ = kPieces;
+    while (is_busy()) work();
+    find();
+  }
+
+  /// Takes everything that a watch of the same machine has collected elsewhere; it counts from the next
+  /// finding on.
+  void merge(const GapWatch& other) {
+    spindle_.merge(other.spindle_);
+    feed_.merge(other.feed_);
+  }
+
+  /// The more important of the two axes' findings.
+  [[nodiscard]] const GapFinding& finding() const { return finding_; }
+  [[nodiscard]] const SpindleAxis& spindle() const { return spindle_; }
+  [[nodiscard]] const FeedAxis& feed() const { return feed_; }
+
+ private:
+  // The observer's columns forget how it began within the settling time; then every frame gives a row, of
+  // either sensor in turn.
+  static constexpr std::size_t kSettling = 144;
+  static constexpr std::size_t kStretch = kSettling + 128;
+  static constexpr std::size_t kPieces = 4 * kStretch;  ///< two halves of each frame for each of two axes
+  // Long enough for all pieces, all columns of the rows and the judgement, 7.2 k frames. The rest is of
+  // random length, or a machine that repeats itself would show the same moment of its cycle again and again.
+  // A stretch of 27 ms every 1.13 s at 10 kHz: more would not fit beside the monitor.
+  static constexpr std::size_t kShortestRest = 9000;
+  static constexpr unsigned kRandomRestBits = 12;
+  // How far a datasheet may be off, as a standard deviation.
+  static constexpr Real kSpread = Real(0.5);
+  static constexpr Real kTurnRad = Real(6.2831853);
+
+  static Real load_spread(const MachineParameters& machine) {
+    return kSpread * static_cast<Real>(machine.feed.contact_force_n + machine.feed.contact_offset_n);
+  }
+
+  static GapNoise<Real> noise_of(const GapNoise<double>& n) {
+    GapNoise<Real> noise;
+    noise.speed_variance = static_cast<Real>(n.speed_variance);
+    noise.current_variance = static_cast<Real>(n.current_variance);
+    noise.feed_speed_variance = static_cast<Real>(n.feed_speed_variance);
+    noise.feed_position_variance = static_cast<Real>(n.feed_position_variance);
+    noise.speed_step = static_cast<Real>(n.speed_step);
+    noise.current_step = static_cast<Real>(n.current_step);
+    noise.feed_step = static_cast<Real>(n.feed_step);
+    return noise;
+  }
+
+  GapFrame<Real> located(const GapFrame<Real>& frame) const {
+    GapFrame<Real> here = frame;
+    here.angle_rad = angle_rad_;
+    here.cutting_time_s = step_s_ * static_cast<Real>(cutting_frames_);
+    here.speed_rad_s = speed_rad_s_;
+    if (!frame.has_feed_position) here.feed_position_m = position_m_;
+    return here;
+  }
+
+  [[nodiscard]] bool is_busy() const {
+    return seen_ < kPieces || spindle_.is_turning() || feed_.is_turning() || spindle_.is_unjudged() ||
+           feed_.is_unjudged();
+  }
+
+  /// One piece of what is to be done.
+  void work() {
+    if (spindle_.is_turning()) return spindle_.turn();
+    if (feed_.is_turning()) return feed_.turn();
+    if (seen_ < kPieces) return observe(seen_++);
+    if (spindle_.is_unjudged()) return find_if(spindle_.judge());
+    if (feed_.is_unjudged()) find_if(feed_.judge());
+  }
+
+  void observe(std::size_t piece) {
+    const std::size_t index = piece % (2 * kStretch) / 2;
+    const bool is_spindle = piece < 2 * kStretch;
+    const bool is_second_half = piece % 2 != 0;
+    const GapFrame<Real>& frame = stretch_[index];
+    if (is_second_half)
+      return is_spindle ? spindle_.observer().move_on(frame) : feed_.observer().move_on(frame);
+    if (is_spindle)
+      see_spindle(frame, index);
+    else
+      see_feed(frame, index);
+  }
+
+  void see_spindle(const GapFrame<Real>& frame, std::size_t index) {
+    if (index == 0) spindle_.observer().restart();
+    auto& [speed, current] = spindle_rows_;
+    spindle_.observer().see(frame, spindle_rows_);
+    if (index >= kSettling) spindle_.take(index % 2 == 0 ? speed : current, index % 2 == 0 ? current : speed);
+  }
+
+  void see_feed(const GapFrame<Real>& frame, std::size_t index) {
+    if (index == 0) feed_.observer().restart();
+    auto& [position, speed] = feed_rows_;
+    feed_.observer().see(frame, frame.speed_rad_s, frame.angle_rad, feed_rows_);
+    if (index >= kSettling) feed_.take(index % 2 == 0 ? speed : position, index % 2 == 0 ? position : speed);
+  }
+
+  void move_on(Real contact) {
+    if (contact > Real(0.5)) ++cutting_frames_;
+    angle_rad_ += step_s_ * speed_rad_s_;
+    if (math::abs(angle_rad_) > kTurnRad) angle_rad_ -= angle_rad_ > Real(0) ? kTurnRad : -kTurnRad;
+    position_m_ += step_s_ * feed_speed_m_s_;
+    if (++phase_ < cycle_) return;
+    random_ = random_ * 1664525U + 1013904223U;
+    cycle_ = kStretch + kShortestRest + (random_ >> (32U - kRandomRestBits));
+    begin_stretch();
+  }
+
+  void begin_stretch() { phase_ = seen_ = 0; }
+
+  void find_if(bool is_new) {
+    if (is_new) find();
+  }
+
+  void find() {
+    const auto& a = spindle_.evaluation();
+    const auto& b = feed_.evaluation();
+    const bool is_feed = a.finding().verdict != b.finding().verdict
+                             ? b.finding().verdict > a.finding().verdict
+                             : b.surplus() > a.surplus();
+    finding_ = is_feed ? b.finding() : a.finding();
+  }
+
+  SpindleAxis spindle_;
+  FeedAxis feed_;
+  std::array<GapFrame<Real>, kStretch> stretch_{};
+  typename Spindle::Rows spindle_rows_{};
+  typename Feed::Rows feed_rows_{};
+  GapFinding finding_;
+  Real step_s_;
+  Real speed_rad_s_ = 0;
+  Real feed_speed_m_s_ = 0;
+  Real angle_rad_ = 0;
+  Real position_m_ = 0;
+  std::uint32_t cutting_frames_ = 0;
+  std::uint32_t random_ = 1;
+  std::size_t cycle_ = kStretch + kShortestRest;
+  std::size_t phase_ = 0;
+  std::size_t seen_ = 0;  ///< pieces of the stretch
+};
+
+}  // namespace morepro::gap

@@ -1,0 +1,170 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "lib/gap/board_forms.hpp"
+#include "lib/gap/gap_watch_finding.hpp"
+#include "lib/gap/square_root_statistics.hpp"
+
+namespace morepro::gap {
+
+/// From the statistics of one axis to a finding, in steps of bounded time: prior of the parameters, every
+/// form, every alias.
+template <class Real, std::size_t kParameters, std::size_t kForms, std::size_t kColumns>
+class GapWatchEvaluation {
+ public:
+  using Statistics = SquareRootStatistics<Real, kColumns>;
+
+  /// `spread`: standard deviation of each parameter column, as well as the datasheet knows it; 0: not a
+  /// parameter of this machine.
+  GapWatchEvaluation(const std::array<Real, kParameters>& spread, const GapLimits& limits)
+      : spread_(spread), limits_(limits) {}
+
+  /// The next form in the order of the columns; at most kForms. A form without parts has no column.
+  void add(const BoardForm& form) { forms_[form_count_++] = form; }
+
+  void begin(const Statistics& statistics) {
+    statistics_ = statistics;
+    finding_ = {};
+    next_ = 0;
+    column_ = kParameters;
+    best_ = kForms;
+  }
+
+  /// One step; true where the finding is complete.
+  bool advance() {
+    if (next_ == 0) excitation_ = least_excitation();
+    if (next_ < kParameters)
+      expect_parameter(next_);
+    else if (next_ < kParameters + kForms)
+      judge_form(next_ - kParameters);
+    else
+      judge_alias(next_ - kParameters - kForms);
+    if (++next_ < kParameters + 2 * kForms) return false;
+    conclude();
+    return true;
+  }
+
+  [[nodiscard]] const GapFinding& finding() const { return finding_; }
+  /// How many times better than from the datasheet the least known parameter is known.
+  [[nodiscard]] Real excitation() const { return excitation_; }
+  /// How far the finding is beyond what chance makes.
+  [[nodiscard]] Real surplus() const { return static_cast<Real>(finding_.evidence) - threshold(); }
+
+ private:
+  static constexpr std::size_t kFewestRows = 300;
+  static constexpr Real kAliasCorrelation = Real(0.98);
+  // Parameters that are off by p leave a share of p^2 that their columns, which are linear, do not explain.
+  static constexpr Real kSecondOrder = Real(0.005);
+  // Residual per row; from 300 rows of the noise that is expected it is 1 +- 0.08.
+  static constexpr Real kMostResidual = Real(1.3);
+  static constexpr Real kAllExplained = Real(1.15);
+  // Of what is beyond noise: shapes that are not quite the machine's leave something.
+  static constexpr Real kMostLeft = Real(0.5);
+  static constexpr Real kLogOf20 = Real(2.9957323);
+
+  [[nodiscard]] Real rows() const { return static_cast<Real>(statistics_.rows()); }
+  [[nodiscard]] Real threshold() const { return static_cast<Real>(limits_.evidence); }
+
+  [[nodiscard]] Real evidence(Real before, Real after, Real freedom) const {
+    return rows() * math::log(before / std::max(after, Real(1.0e-6) * before)) - freedom * math::log(rows());
+  }
+
+  // A column that has never moved cannot be mistaken for anything.
+  [[nodiscard]] Real least_excitation() const {
+    Real least = Real(1.0e30);
+    for (std::size_t j = 0; j < kParameters; ++j)
+      if (statistics_.left(j, j, 0) > Real(0)) least = std::min(least, spread_[j] * statistics_.factor(j, j));
+    return least;
+  }
+
+  void expect_parameter(std::size_t j) {
+    if (spread_[j] > Real(0)) statistics_.expect_small(j, Real(1) / spread_[j]);
+    if (j + 1 < kParameters) return;
+    whole_ = statistics_.residual(0);
+    rest_ = statistics_.residual(kParameters);
+  }
+
+  void judge_form(std::size_t i) {
+    const BoardForm& form = forms_[i];
+    const GroupGain<Real> group = gain_of(statistics_, column_, form.parts, kParameters);
+    const bool is_possible = !must_be_positive(form.effect) || group.coefficient > Real(0);
+    first_[i] = column_;
+    column_ += form.parts;
+    gain_[i] = group.gain;
+    evidence_[i] =
+        is_possible && form.parts > 0 ? evidence(rest_, rest_ - group.gain, Real(form.parts)) : Real(-1.0e30);
+    if (best_ == kForms || evidence_[i] > evidence_[best_]) best_ = i;
+  }
+
+  void judge_alias(std::size_t i) {
+    if (finding_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return;
+    const Real lead = evidence_[best_] - evidence_[i];
+    const Real close = Real(2) * static_cast<Real>(limits_.temperature) * kLogOf20;
+    if (lead > close && !resembles_best(i)) return;
+    finding_.alias[finding_.alias_count++] = forms_[i].effect;
+  }
+
+  [[nodiscard]] bool is_listed(Effect effect) const {
+    const auto end = finding_.alias.begin() + finding_.alias_count;
+    return effect == forms_[best_].effect || std::find(finding_.alias.begin(), end, effect) != end;
+  }
+
+  [[nodiscard]] bool resembles_best(std::size_t i) const {
+    if (forms_[i].parts > 1 || forms_[best_].parts > 1 || !(evidence_[i] > Real(0))) return false;
+    return math::abs(statistics_.correlation(first_[i], first_[best_], kParameters)) > kAliasCorrelation;
+  }
+
+  void conclude() {
+    finding_.verdict = verdict();
+    finding_.effect = forms_[best_].effect;
+    finding_.where = group_of(finding_.effect);
+    finding_.evidence = static_cast<float>(
+        finding_.verdict == GapVerdict::kParameterError ? parameter_evidence() : evidence_[best_]);
+    finding_.confidence = static_cast<float>(confidence(evidence_[best_]));
+    if (finding_.verdict != GapVerdict::kEffect) finding_.alias_count = 0;
+  }
+
+  [[nodiscard]] GapVerdict verdict() const {
+    if (statistics_.rows() < kFewestRows) return GapVerdict::kNotEnoughData;
+    if (!(excitation_ > static_cast<Real>(limits_.excitation))) return GapVerdict::kInsufficientExcitation;
+    if (is_effect()) return is_explained() ? GapVerdict::kEffect : GapVerdict::kUnexplained;
+    if (parameter_evidence() > threshold()) return GapVerdict::kParameterError;
+    return rest_ > kMostResidual * rows() ? GapVerdict::kUnexplained : GapVerdict::kNoGap;
+  }
+
+  [[nodiscard]] Real parameter_evidence() const { return evidence(whole_, rest_, Real(kParameters)); }
+
+  [[nodiscard]] bool is_explained() const {
+    const Real after = rest_ - gain_[best_];
+    return after < kAllExplained * rows() || after - rows() < kMostLeft * (rest_ - rows());
+  }
+
+  [[nodiscard]] bool is_effect() const {
+    return evidence_[best_] > threshold() && gain_[best_] > kSecondOrder * (whole_ - rest_);
+  }
+
+  [[nodiscard]] Real confidence(Real best) const {
+    const Real lead = (best - threshold()) / (Real(2) * static_cast<Real>(limits_.temperature));
+    return Real(1) / (Real(1) + math::exp(std::clamp(-lead, Real(-40), Real(40))));
+  }
+
+  std::array<BoardForm, kForms> forms_{};
+  std::size_t form_count_ = 0;
+  std::array<Real, kParameters> spread_;
+  GapLimits limits_;
+  Statistics statistics_{};
+  GapFinding finding_{};
+  std::array<Real, kForms> evidence_{};
+  std::array<Real, kForms> gain_{};
+  std::array<std::size_t, kForms> first_{};
+  Real excitation_ = 0;
+  Real whole_ = 0;
+  Real rest_ = 0;
+  std::size_t next_ = 0;
+  std::size_t column_ = 0;
+  std::size_t best_ = kForms;
+};
+
+}  // namespace morepro::gap

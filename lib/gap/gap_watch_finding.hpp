@@ -1,0 +1,49 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lib/gap/effect.hpp"
+#include "lib/gap/effect_info.hpp"
+#include "lib/gap/gap_frame.hpp"
+
+namespace morepro::gap {
+
+/// Of two axes' verdicts the greater one is that of the machine.
+enum class GapVerdict : std::uint8_t {
+  kNotEnoughData = 0,
+  kNoGap = 1,
+  kInsufficientExcitation = 2,  ///< a cause may not be named from what the machine has done so far
+  kParameterError = 3,          ///< other values of the nominal parameters explain it
+  kUnexplained = 4,  ///< neither parameters nor an effect that the board knows: or the noise is another one
+  kEffect = 5,
+};
+
+inline constexpr std::size_t kMostAliases = 2;
+
+/// What the watch has found.
+struct GapFinding {
+  GapVerdict verdict = GapVerdict::kNotEnoughData;
+  EffectGroup where = EffectGroup::kSpindleTorque;  ///< meaningful for kEffect, as the following ones
+  Effect effect = Effect::kSpindleCoulombFriction;
+  std::uint8_t alias_count = 0;
+  std::array<Effect, kMostAliases> alias{};  ///< explain it nearly as well
+  float confidence = 0.0F;                   ///< 0 .. 1, that it is this effect or an alias of it
+  float evidence = 0.0F;                     ///< n ln(RSS without / RSS with) - dof ln n; of any verdict
+};
+
+/// What a host has found by simulating the machine without an effect in the same excitation; stored.
+struct GapLimits {
+  float evidence = 25.0F;    ///< that chance does not reach
+  float temperature = 1.0F;  ///< >= 1: how much more evidence chance makes than independent rows would
+  float excitation = 5.0F;   ///< how many times better than from the datasheet each parameter must be known
+};
+
+/// Both axes.
+struct GapSettings {
+  GapNoise<double> noise;
+  GapLimits spindle;
+  GapLimits feed;
+};
+
+}  // namespace morepro::gap

@@ -1,0 +1,173 @@
+#pragma once
+#include "lib/gap/column_set.hpp"
+#include "lib/gap/gap_frame.hpp"
+#include "lib/gap/two_state_observer.hpp"
+#include "lib/plant/dynamics.hpp"
+
+namespace morepro::gap {
+
+/// Parameters of the nominal spindle that may be off, in the order of their columns. A column is the effect of a
+/// relative error: +1 is a parameter twice as large as it should be said.
+enum class SpindleColumn : std::size_t {
+  kTorqueConstant = 0,
+  kViscousFriction,
+  kInertia,
+  kResistance,
+  kBackEmfConstant,
+  kInductance,
+};
+inline constexpr std::size_t kSpindleParameters = 6;
+
+/// Observer of spindle speed and current: exactly integrated torque and voltage balance of one interval, from
+/// the best estimate at its beginning, against what is measured at its end.
+/// `kTerms`: room for the terms of effects.
+template <class Real, std::size_t kTerms, std::size_t kApplied, std::size_t kDelaySteps>
+class SpindleObserver {
+ public:
+  static constexpr std::size_t kColumns = kSpindleParameters + kTerms;
+  using Observer = TwoStateObserver<Real, kColumns>;
+  using Row = typename Observer::Row;
+  using Terms = ColumnSet<Real, kTerms, kApplied, kDelaySteps>;
+  struct Rows {
+    Row speed;
+    Row current;
+  };
+
+  SpindleObserver(const MachineParameters& machine, const ReferencePoint& point, double step_s,
+                  const GapNoise<Real>& noise)
+      : plant_(machine),
+        terms_(EffectScales<Real>(machine, point), step_s),
+        step_s_(static_cast<Real>(step_s)),
+        noise_(noise) {}
+
+  Terms& terms() { return terms_; }
+  /// What the effects of the model added during the last interval, and what they made the sensors show at its
+  /// beginning.
+  [[nodiscard]] const Contribution<Real>& added() const { return added_; }
+  [[nodiscard]] const Contribution<Real>& shown() const { return shown_; }
+  /// The next frame is a new beginning.
+  void restart() { is_started_ = false; }
+  [[nodiscard]] Real speed_rad_s() const { return observer_.mean(0); }
+  [[nodiscard]] Real angle_rad() const { return angle_rad_; }
+
+  /// Rows of the frame's measurements, then on to the next frame.
+  void step(const GapFrame<Real>& frame, Rows& rows) {
+    see(frame, rows);
+    move_on(frame);
+  }
+  /// The first half of it: the rows of the frame's measurements.
+  void see(const GapFrame<Real>& frame, Rows& rows) {
+    rows.speed.is_measured = rows.current.is_measured = false;
+    if (!is_started_) return start(frame);
+    if (frame.has_angle) angle_rad_ = frame.angle_rad;
+    update(frame, rows);
+  }
+  /// The second half: on to the next frame.
+  void move_on(const GapFrame<Real>& frame) {
+    if (is_started_) predict(frame);
+  }
+
+ private:
+  void start(const GapFrame<Real>& frame) {
+    if (!frame.has_speed) return;
+    is_started_ = true;
+    observer_.set_columns(kSpindleParameters + terms_.size());
+    const auto& k = terms_.scales();
+    const Real still_a = (frame.input.armature_voltage_v - k.back_emf_constant_vs_rad * frame.speed_rad_s) /
+                         k.resistance_ohm;
+    const Real wide_a = k.current_a + math::abs(still_a);
+    observer_.start(frame.speed_rad_s, frame.has_current ? frame.current_a : still_a, noise_.speed_variance,
+                    frame.has_current ? noise_.current_variance : wide_a * wide_a);
+    angle_rad_ = frame.angle_rad;
+  }
+
+  void update(const GapFrame<Real>& frame, Rows& rows) {
+    const EffectSignals<Real> signals = signals_of(frame, observer_.mean(0), observer_.mean(1));
+    shown_ = terms_.applied(signals, true);
+    terms_.for_each(signals, true, [this](std::size_t j, const Contribution<Real>& c) {
+      first_[kSpindleParameters + j] = c.speed_rad_s;
+      second_[kSpindleParameters + j] = c.current_a;
+    });
+    for (std::size_t j = 0; j < kSpindleParameters; ++j) first_[j] = second_[j] = Real(0);
+    if (frame.has_current)
+      observer_.template update<1>(frame.current_a - shown_.current_a - observer_.mean(1),
+                                   noise_.doubt(frame.time_s) * noise_.current_variance, second_, rows.current);
+    if (frame.has_speed)
+      observer_.template update<0>(frame.speed_rad_s - shown_.speed_rad_s - observer_.mean(0),
+                                   noise_.doubt(frame.time_s) * noise_.speed_variance, first_, rows.speed);
+  }
+
+  void predict(const GapFrame<Real>& frame) {
+    const PlantState<Real> x{observer_.mean(0), Real(0), observer_.mean(1)};
+    const auto linear = plant_.linearise(x, frame.input);
+    const auto step = math::exponential_step(linear.spindle_jacobian, step_s_);
+    const auto& psi = step.integral;
+    const auto& f = linear.derivative;
+    const Real dw = psi.a00 * f.acceleration_rad_s2 + psi.a01 * f.current_rate_a_s;
+    const Real di = psi.a10 * f.acceleration_rad_s2 + psi.a11 * f.current_rate_a_s;
+    const Real half = Real(0.5);
+    EffectSignals<Real> middle =
+        signals_of(frame, x.speed_rad_s + half * dw, x.current_a + half * di);
+    middle.acceleration_rad_s2 = dw / step_s_;
+    middle.current_rate_a_s = di / step_s_;
+    middle.angle_rad += half * step_s_ * x.speed_rad_s;
+    load_columns(middle);
+    const auto& k = terms_.scales();
+    added_ = terms_.applied(middle, false);
+    const Real rate_w = added_.torque_nm / k.inertia_kgm2;
+    const Real rate_i = added_.voltage_v / k.inductance_h;
+    observer_.predict(x.speed_rad_s + dw + psi.a00 * rate_w + psi.a01 * rate_i,
+                      x.current_a + di + psi.a10 * rate_w + psi.a11 * rate_i, step.exp, psi,
+                      noise_.speed_step * noise_.speed_step, noise_.current_step * noise_.current_step,
+                      first_, second_);
+    angle_rad_ += step_s_ * (x.speed_rad_s + half * dw);
+  }
+
+  void load_columns(const EffectSignals<Real>& s) {
+    const auto& k = terms_.scales();
+    const Real per_inertia = Real(1) / k.inertia_kgm2;
+    const Real per_inductance = Real(1) / k.inductance_h;
+    first_[0] = k.torque_constant_nm_a * s.current_a * per_inertia;
+    first_[1] = -k.viscous_friction_nms_rad * s.speed_rad_s * per_inertia;
+    first_[2] = -s.acceleration_rad_s2;
+    first_[3] = first_[4] = first_[5] = Real(0);
+    second_[0] = second_[1] = second_[2] = Real(0);
+    second_[3] = -k.resistance_ohm * s.current_a * per_inductance;
+    second_[4] = -k.back_emf_constant_vs_rad * s.speed_rad_s * per_inductance;
+    second_[5] = -s.current_rate_a_s;
+    terms_.for_each(s, false, [&](std::size_t j, const Contribution<Real>& c) {
+      first_[kSpindleParameters + j] = c.torque_nm * per_inertia;
+      second_[kSpindleParameters + j] = c.voltage_v * per_inductance;
+    });
+  }
+
+  EffectSignals<Real> signals_of(const GapFrame<Real>& frame, Real speed_rad_s, Real current_a) const {
+    EffectSignals<Real> s;
+    s.time_s = frame.time_s;
+    s.cutting_time_s = frame.cutting_time_s;
+    s.armature_voltage_v = frame.input.armature_voltage_v;
+    s.feed_force_n = frame.input.feed_force_n;
+    s.contact = frame.input.contact;
+    s.chip_load_mm = frame.input.chip_load_mm;
+    s.speed_rad_s = speed_rad_s;
+    s.angle_rad = angle_rad_;
+    s.current_a = current_a;
+    s.tool_degc = frame.input.tool_temperature_degc;
+    s.winding_degc = frame.winding_degc;
+    return s;
+  }
+
+  Plant<Real> plant_;
+  Terms terms_;
+  Real step_s_;
+  GapNoise<Real> noise_;
+  Observer observer_;
+  typename Observer::Columns first_{};
+  typename Observer::Columns second_{};
+  Real angle_rad_ = 0;
+  Contribution<Real> added_;
+  Contribution<Real> shown_;
+  bool is_started_ = false;
+};
+
+}  // namespace morepro::gap

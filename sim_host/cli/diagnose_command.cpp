@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lib/gap/effect_catalogue.hpp"
+#include "sim_host/cli/command.hpp"
+#include "sim_host/diagnose/diagnosis.hpp"
+#include "sim_host/diagnose/diagnosis_json.hpp"
+#include "sim_host/diagnose/recording_loader.hpp"
+#include "sim_host/machine/machine_file_writer.hpp"
+#include "sim_host/replay/replay_session.hpp"
+#include "sim_host/support/distinct_files.hpp"
+#include "sim_host/support/output_file.hpp"
+#include "sim_host/support/progress.hpp"
+#include "sim_host/support/suggestion.hpp"
+
+namespace morepro::host {
+namespace {
+
+struct DiagnoseArguments {
+  std::string recording;
+  std::string machine;
+  std::string json;
+  std::string apply;
+  std::vector<std::string> exclude;
+  int bootstrap_runs = 200;
+  std::uint64_t seed = 1;
+  std::string progress = "auto";
+};
+
+gap::Effect effect_of(const std::string& name) {
+  if (const auto effect = gap::effect_named(name)) return *effect;
+  std::vector<std::string_view> names;
+  for (const auto& info : gap::kEffects) names.push_back(info.name);
+  throw UsageError(fmt::format("--exclude: there is no effect '{}'{}; 'morepro effects' lists them", name,
+                               did_you_mean(name, names)));
+}
+
+std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+}
+
+// Without a contact law a spindle in contact has a torque that nobody described.
+void check_contact(const RecordingSignals& signals, const MachineDescription& machine) {
+  if (!machine.has_spindle || machine.has_contact || !signals.has(Channel::kSpindleSpeed)) return;
+  for (const float contact : signals.value[index_of(Channel::kContact)]) {
+    if (!(contact > 0.0F)) continue;
+    throw UserError(fmt::format("the tool is in contact, but machine '{}' describes no contact; add [tool] and "
+                                "[contact] to its file",
+                                machine.name));
+  }
+}
+
+void run(const DiagnoseArguments& arguments) {
+  check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
+                 {{"--json", arguments.json}, {"--apply", arguments.apply}});
+  DiagnosisOptions options{.bootstrap_runs = arguments.bootstrap_runs, .excluded = {}, .seed = arguments.seed};
+  for (const std::string& name : arguments.exclude) options.excluded.push_back(effect_of(name));
+  RecordingReader recording(arguments.recording);
+  std::vector<std::string> notices = recording.info().warnings;
+  const MachineDescription machine = machine_for(recording, arguments.machine, notices);
+  for (const std::string& notice : notices) warn(notice);
+  const auto json = open_if_asked(arguments.json);
+  const auto applied = open_if_asked(arguments.apply);
+  RecordingSignals signals = load_signals(recording, machine.usable_channels());
+  check_contact(signals, machine);
+  MachineDescription with_effects;
+  DiagnosisResult result = diagnose(std::move(signals), machine, options, with_effects);
+  result.file = recording.info().file;
+  if (json) json->write(diagnosis_json(result));
+  if (applied) applied->write(machine_file_text(with_effects));
+  if (arguments.json != "-" && arguments.apply != "-") fmt::print("{}", diagnosis_text(result));
+  if (json) json->commit();
+  if (applied) applied->commit();
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& program) {
+  auto arguments = std::make_shared<DiagnoseArguments>();
+  CLI::App* command = program.add_subcommand(
+      "diagnose", "find where the model is wrong, which effect explains it and how far it shrinks with it");
+  command->add_option("recording", arguments->recording, "recording, .csv or .mrec")->required();
+  command->add_option("--machine", arguments->machine,
+                      "'reference', 'thesis' or a machine file, the datasheet; the recording's own by default");
+  command
+      ->add_option("--bootstrap", arguments->bootstrap_runs,
+                   "runs that tell what chance looks like in this recording; 0 switches it off")
+      ->check(between(0, 100000, ""))
+      ->capture_default_str();
+  command->add_option("--exclude", arguments->exclude, "take an effect out of the catalogue; repeatable");
+  command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
+  command->add_option("--apply", arguments->apply, "write the machine with what was found (TOML)");
+  command->add_option("--seed", arguments->seed, "of the bootstrap")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  add_progress_option(*command, arguments->progress);
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace morepro::host

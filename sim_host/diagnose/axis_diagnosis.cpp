@@ -1,0 +1,181 @@
+#include "sim_host/diagnose/axis_diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim_host/diagnose/candidate_forms.hpp"
+
+namespace morepro::host {
+namespace {
+
+// Rivals with this share of the best evidence are put into the model, one after the other, before one is chosen.
+constexpr double kNearlyAsGood = 0.6;
+constexpr std::size_t kMostRivals = 3;
+constexpr int kDuelRounds = 2;  // what a settled model needs to settle with one effect more or less
+constexpr double kLeastShare = 0.005;  // of the best effect's evidence
+
+gap::AppliedEffect applied_of(const Candidate& candidate) {
+  gap::AppliedEffect effect{.form = candidate.form, .coefficient = {}};
+  std::copy(candidate.coefficient.begin(), candidate.coefficient.end(), effect.coefficient.begin());
+  if (gap::size_is_shape(effect.form.effect) && effect.form.parts == 1) effect.coefficient[0] = 1.0;
+  return effect;
+}
+
+/// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the recording
+/// says otherwise clearly.
+struct Plainer {
+  gap::Effect fine;
+  gap::Effect plain;
+  double undecided;  ///< share of the finer one's evidence that the plain one needs
+};
+constexpr Plainer kPlainer[] = {
+    {gap::Effect::kFeedStribeckFriction, gap::Effect::kFeedCoulombFriction, 0.75},
+    {gap::Effect::kFeedPresliding, gap::Effect::kFeedCoulombFriction, 0.8},
+    {gap::Effect::kSpindleStribeckFriction, gap::Effect::kSpindleCoulombFriction, 0.9},
+    {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.9},
+};
+
+bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
+
+class Search {
+ public:
+  Search(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded, const SearchLimits& limits)
+      : diagnosis_(diagnosis), fit_(diagnosis.fit), limits_(limits), left_out_(excluded.begin(), excluded.end()) {}
+
+  void run() {
+    fit_.settle();
+    diagnosis_.nominal = fit_;
+    while (diagnosis_.found.size() < limits_.most_effects && add_one()) {
+    }
+    prune();
+  }
+
+ private:
+  bool add_one() {
+    const auto forms = candidate_forms(fit_.axis(), fit_.signals(), fit_.model(), left_out_);
+    auto ranked = rank_candidates(fit_, fit_.collect_with(forms), forms);
+    if (ranked.empty() || !(ranked.front().evidence >= limits_.least_evidence)) return false;
+    AxisFit winner = duel(ranked);
+    const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
+    if (!has_grown || !(ranked.front().evidence >= limits_.least_evidence)) return false;
+    left_out_.push_back(ranked.front().form.effect);
+    fit_ = std::move(winner);
+    diagnosis_.found.push_back(
+        {.effect = fit_.model().effects.back(), .evidence = ranked.front().evidence, .rivals = std::move(ranked)});
+    take_sizes();
+    return true;
+  }
+
+  /// Puts the best candidates into the model, each for itself, with everything refitted: the evidence of a
+  /// linearisation does not tell a delay from a lag. Returns the fit of the best, which is then in front.
+  AxisFit duel(std::vector<Candidate>& ranked) const {
+    const double enough = kNearlyAsGood * ranked.front().evidence;
+    const double before = fit_.unlikeliness();
+    std::vector<Trial> trials;
+    const double fraction_bar = ranked.front().evidence;
+    double claimed = 0.0;
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+      Candidate& rival = ranked[i];
+      if (i >= kMostRivals || rival.evidence < enough) {
+        // In proportion to what the linearisation promised to the first and what came of it.
+        rival.evidence *= std::max(claimed, 1.0) / fraction_bar;
+        continue;
+      }
+      rival = refined(fit_, rival);
+      AxisFit trial = fit_;
+      trial.model().effects.push_back(applied_of(rival));
+      trial.settle(kDuelRounds);
+      rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, rival);
+      if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
+      rival.form = trial.model().effects.back().form;
+      if (i == 0) claimed = std::max(rival.evidence, 0.0);
+      trials.emplace_back(rival.form.effect, std::move(trial));
+    }
+    std::sort(ranked.begin(), ranked.end(), by_evidence);
+    put_plain_first(ranked, trials);
+    const AxisFit* winner = fit_of(trials, ranked.front());
+    return winner != nullptr ? *winner : fit_;
+  }
+
+  using Trial = std::pair<gap::Effect, AxisFit>;
+  static const AxisFit* fit_of(const std::vector<Trial>& trials, const Candidate& candidate) {
+    for (const Trial& trial : trials)
+      if (trial.first == candidate.form.effect) return &trial.second;
+    return nullptr;
+  }
+
+  static void put_plain_first(std::vector<Candidate>& ranked, const std::vector<Trial>& trials) {
+    for (const Plainer& pair : kPlainer) {
+      if (ranked.front().form.effect != pair.fine) continue;
+      const double enough_evidence = pair.undecided * ranked.front().evidence;
+      const auto plain = std::find_if(ranked.begin(), ranked.end(), [&](const Candidate& rival) {
+        return rival.form.effect == pair.plain && rival.evidence >= enough_evidence;
+      });
+      if (plain == ranked.end() || fit_of(trials, *plain) == nullptr) continue;
+      std::rotate(ranked.begin(), plain, plain + 1);
+      return;
+    }
+  }
+
+  static double freedom_cost(const AxisFit& fit, const Candidate& candidate) {
+    return (candidate.form.parts + 1.0) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
+  }
+
+  void take_sizes() {
+    for (std::size_t i = 0; i < diagnosis_.found.size(); ++i)
+      diagnosis_.found[i].effect = fit_.model().effects[i];
+  }
+
+  /// How much each effect is worth beside the others. Without the only one it is the nominal model, which may
+  /// settle better from here than from the datasheet.
+  void weigh() {
+    for (std::size_t i = 0; i < diagnosis_.found.size(); ++i) {
+      AxisFit without = fit_;
+      without.model().effects.erase(without.model().effects.begin() + static_cast<std::ptrdiff_t>(i));
+      without.settle(kDuelRounds);
+      const bool is_nominal = without.model().effects.empty();
+      if (is_nominal && without.unlikeliness() < diagnosis_.nominal.unlikeliness()) diagnosis_.nominal = without;
+      const double best = is_nominal ? diagnosis_.nominal.unlikeliness() : without.unlikeliness();
+      const double evidence = best - fit_.unlikeliness();
+      diagnosis_.found[i].evidence = std::isfinite(evidence) ? evidence : 0.0;
+    }
+  }
+
+  void prune() {
+    for (;;) {
+      weigh();
+      if (diagnosis_.found.empty()) return;
+      const auto less = [](const Finding& a, const Finding& b) { return a.evidence < b.evidence; };
+      const auto weakest = std::min_element(diagnosis_.found.begin(), diagnosis_.found.end(), less);
+      const auto strongest = std::max_element(diagnosis_.found.begin(), diagnosis_.found.end(), less);
+      if (weakest->evidence >= std::max(limits_.least_evidence, kLeastShare * strongest->evidence)) break;
+      fit_.model().effects.erase(fit_.model().effects.begin() + (weakest - diagnosis_.found.begin()));
+      diagnosis_.found.erase(weakest);
+      fit_.settle();
+      if (diagnosis_.found.empty()) fit_ = diagnosis_.nominal;
+      take_sizes();
+    }
+    std::stable_sort(diagnosis_.found.begin(), diagnosis_.found.end(),
+                     [](const Finding& a, const Finding& b) { return a.evidence > b.evidence; });
+    auto& effects = fit_.model().effects;
+    for (std::size_t i = 0; i < effects.size(); ++i) effects[i] = diagnosis_.found[i].effect;
+  }
+
+  AxisDiagnosis& diagnosis_;
+  AxisFit& fit_;
+  SearchLimits limits_;
+  std::vector<gap::Effect> left_out_;
+};
+
+}  // namespace
+
+AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
+                             std::span<const gap::Effect> excluded, const SearchLimits& limits) {
+  const AxisFit start(axis, signals, datasheet);
+  AxisDiagnosis diagnosis{.fit = start, .nominal = start, .found = {}};
+  Search(diagnosis, excluded, limits).run();
+  return diagnosis;
+}
+
+}  // namespace morepro::host

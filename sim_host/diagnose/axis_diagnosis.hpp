@@ -1,0 +1,33 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "sim_host/diagnose/axis_fit.hpp"
+#include "sim_host/diagnose/effect_search.hpp"
+
+namespace morepro::host {
+
+/// An effect that is in the model now, and what else would have done nearly as well in its place.
+struct Finding {
+  gap::AppliedEffect effect;
+  double evidence = 0.0;          ///< how much less likely the recording is without it, as a deviance
+  std::vector<Candidate> rivals;  ///< as they stood when it was chosen, itself first
+};
+
+/// What was found out about one axis.
+struct AxisDiagnosis {
+  AxisFit fit;      ///< the model with the effects
+  AxisFit nominal;  ///< the model with refitted parameters only
+  std::vector<Finding> found;
+};
+
+struct SearchLimits {
+  double least_evidence = 40.0;
+  std::size_t most_effects = 4;
+};
+
+/// Looks for the effects of one axis, one after another, each with the parameters refitted.
+AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
+                             std::span<const gap::Effect> excluded, const SearchLimits& limits);
+
+}  // namespace morepro::host

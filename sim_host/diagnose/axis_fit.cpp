@@ -1,0 +1,207 @@
+#include "sim_host/diagnose/axis_fit.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "lib/gap/feed_observer.hpp"
+#include "lib/gap/spindle_observer.hpp"
+#include "sim_host/diagnose/noise_fit.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr int kMostSteps = 8;
+constexpr int kMostHalvings = 4;
+constexpr double kSettledRound = 5.0;  // deviance that a round of noise and parameters gains
+constexpr double kSettled = 1.0;      // chi-square that a further step would gain
+constexpr double kLongestStep = 0.3;  // relative: beyond, the linearisation is worth little
+
+/// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.
+int directions_known(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& precision) {
+  const Eigen::VectorXd root = precision.cwiseSqrt();
+  const Eigen::MatrixXd relative = root.asDiagonal() * covariance * root.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(relative, Eigen::EigenvaluesOnly);
+  return static_cast<int>((solver.eigenvalues().array() < 0.01).count());
+}
+
+bool is_pure_shape(const gap::EffectForm& form) {
+  return gap::size_is_shape(form.effect) && form.parts == 1;
+}
+
+}  // namespace
+
+AxisFit::AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet)
+    : axis_(axis), signals_(&signals), datasheet_(datasheet), model_(datasheet) {}
+
+std::vector<Eigen::Index> AxisFit::parameter_columns() const {
+  std::vector<Eigen::Index> columns(parameter_count(axis_));
+  std::iota(columns.begin(), columns.end(), 0);
+  return columns;
+}
+
+Eigen::VectorXd AxisFit::precision(Eigen::Index width) const {
+  Eigen::VectorXd precision = Eigen::VectorXd::Zero(width);
+  const auto count = static_cast<Eigen::Index>(parameter_count(axis_));
+  precision.head(count).setConstant(1.0 / (kDatasheetSpread * kDatasheetSpread));
+  if (axis_ == Axis::kFeed) {
+    const auto& feed = datasheet_.machine.feed;
+    const double load_n = std::max(feed.contact_force_n + feed.contact_offset_n, 1.0e-3);
+    precision(2) /= load_n * load_n;
+    precision(3) /= load_n * load_n;
+  }
+  return precision;
+}
+
+Eigen::VectorXd AxisFit::deviation() const {
+  const auto& s = model_.machine.spindle;
+  const auto& s0 = datasheet_.machine.spindle;
+  const auto& f = model_.machine.feed;
+  const auto& f0 = datasheet_.machine.feed;
+  const auto relative = [](double value, double datasheet) {
+    return datasheet != 0.0 ? value / datasheet - 1.0 : 0.0;
+  };
+  Eigen::VectorXd d(static_cast<Eigen::Index>(parameter_count(axis_)));
+  if (axis_ == Axis::kSpindle) {
+    d << relative(s.torque_constant_nm_a, s0.torque_constant_nm_a),
+        relative(s.viscous_friction_nms_rad, s0.viscous_friction_nms_rad),
+        relative(s.inertia_kgm2, s0.inertia_kgm2), relative(s.resistance_ohm, s0.resistance_ohm),
+        relative(s.back_emf_constant_vs_rad, s0.back_emf_constant_vs_rad),
+        relative(s.inductance_h, s0.inductance_h);
+  } else {
+    d << relative(f.mass_kg, f0.mass_kg), relative(f.viscous_friction_ns_m, f0.viscous_friction_ns_m),
+        f.contact_force_n + f.contact_offset_n - f0.contact_force_n - f0.contact_offset_n,
+        f.contact_force_n - f0.contact_force_n;
+  }
+  return d;
+}
+
+Eigen::VectorXd AxisFit::target(Eigen::Index width) const {
+  Eigen::VectorXd target = Eigen::VectorXd::Zero(width);
+  const Eigen::VectorXd d = deviation();
+  target.head(d.size()) = -d;
+  return target;
+}
+
+GapStatistics AxisFit::collect_with(std::span<const gap::EffectForm> forms) const {
+  return collect(axis_, *signals_, model_, forms, whitening_, kBlockS);
+}
+
+void AxisFit::take_parameters(const Eigen::VectorXd& step) {
+  auto& s = model_.machine.spindle;
+  auto& f = model_.machine.feed;
+  if (axis_ == Axis::kSpindle) {
+    s.torque_constant_nm_a *= std::exp(step(0));
+    s.viscous_friction_nms_rad *= std::exp(step(1));
+    s.inertia_kgm2 *= std::exp(step(2));
+    s.resistance_ohm *= std::exp(step(3));
+    s.back_emf_constant_vs_rad *= std::exp(step(4));
+    s.inductance_h *= std::exp(step(5));
+    return;
+  }
+  f.mass_kg *= std::exp(step(0));
+  f.viscous_friction_ns_m *= std::exp(step(1));
+  f.contact_force_n += step(3);
+  f.contact_offset_n += step(2) - step(3);
+}
+
+void AxisFit::take_sizes(const Eigen::VectorXd& step) {
+  Eigen::Index next = 0;
+  for (gap::AppliedEffect& effect : model_.effects) {
+    for (std::size_t part = 0; part < effect.form.parts; ++part) {
+      const double change = step(next++);
+      // A little more of a lag or a delay is a little longer one.
+      if (is_pure_shape(effect.form))
+        effect.form.shape *= static_cast<float>(std::clamp(1.0 + change, 0.5, 2.0));
+      else
+        effect.coefficient[part] += change;
+    }
+  }
+}
+
+void AxisFit::take(const Eigen::VectorXd& step) {
+  const auto parameters = static_cast<Eigen::Index>(parameter_count(axis_));
+  take_parameters(step.head(parameters));
+  take_sizes(step.tail(step.size() - parameters));
+}
+
+std::vector<gap::EffectForm> AxisFit::forms_in_model() const {
+  std::vector<gap::EffectForm> forms;
+  for (const gap::AppliedEffect& effect : model_.effects) forms.push_back(effect.form);
+  return forms;
+}
+
+AxisFit::Trial AxisFit::tried() const {
+  Trial trial{.statistics = collect_with(forms_in_model()), .moments = {}};
+  trial.moments = trial.statistics.total();
+  const Eigen::Index width = trial.moments.cols();
+  if (width == 0) return trial;
+  trial.cost = trial.moments(width - 1, width - 1) +
+               precision(width).dot(target(width).cwiseAbs2());
+  return trial;
+}
+
+// One Gauss-Newton step, shortened until it helps; false where there is nothing to gain.
+bool AxisFit::improve(Trial& best) {
+  const Eigen::Index width = best.moments.cols();
+  if (width == 0) return false;
+  std::vector<Eigen::Index> active(static_cast<std::size_t>(width - 1));
+  std::iota(active.begin(), active.end(), 0);
+  const LinearFit solution = fit(best.moments, active, precision(width), target(width));
+  const double unit = std::max(solution.rss / std::max(best.statistics.total_rows(), 1.0), 1.0e-12);
+  standard_error_ = (unit * solution.covariance.diagonal()).cwiseSqrt();
+  const auto parameters = static_cast<Eigen::Index>(parameter_count(axis_));
+  known_directions_ = directions_known(unit * solution.covariance.topLeftCorner(parameters, parameters),
+                                       precision(width).head(parameters));
+  if (!((best.cost - solution.rss) / unit > kSettled)) return false;
+  const auto relative = axis_ == Axis::kSpindle ? parameters : 2;
+  const double longest = solution.coefficient.head(relative).cwiseAbs().maxCoeff();
+  double share = std::min(1.0, kLongestStep / std::max(longest, 1.0e-12));
+  const GapModel start = model_;
+  for (int i = 0; i < kMostHalvings; ++i, share *= 0.35) {
+    model_ = start;
+    take(share * solution.coefficient);
+    Trial trial = tried();
+    if (!(trial.cost < best.cost)) continue;
+    const bool is_worth_more = best.cost - trial.cost > kSettled * unit;
+    best = std::move(trial);
+    return is_worth_more;
+  }
+  model_ = start;
+  return false;
+}
+
+void AxisFit::refit() {
+  Trial best = tried();
+  for (int i = 0; i < kMostSteps && improve(best); ++i) {
+  }
+  whitening_ = whitening_of(best.statistics);
+  unlikeliness_ = unlikeliness_of(best.statistics);
+}
+
+void AxisFit::refit_with_this_noise() {
+  Trial best = tried();
+  for (int i = 0; i < kMostSteps && improve(best); ++i) {
+  }
+}
+
+// Noise that was fitted to wrong parameters hides how wrong they are: in turns, until nothing is gained.
+void AxisFit::settle(int most_rounds) {
+  double before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < most_rounds; ++round) {
+    const AxisFit start = *this;
+    fit_noise(axis_, *signals_, model_);
+    refit();
+    if (!std::isfinite(unlikeliness_)) {
+      *this = start;
+      unlikeliness_ = before;
+      return;
+    }
+    if (!(unlikeliness_ < before - kSettledRound)) return;
+    before = unlikeliness_;
+  }
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,78 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "sim_host/diagnose/gap_model.hpp"
+#include "sim_host/diagnose/gap_statistics.hpp"
+#include "sim_host/diagnose/linear_fit.hpp"
+
+namespace morepro::host {
+
+/// One axis of the machine with the model that fits it best so far.
+class AxisFit {
+ public:
+  /// `datasheet`: where the parameters start, and what they are drawn to where nothing is known about them.
+  AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet);
+
+  /// Fits process noise, parameters and the sizes of the model's effects, in turns.
+  void settle(int most_rounds = 6);
+  /// The same without the process noise.
+  void refit();
+  /// The same without the whitening either: what is compared must be judged alike.
+  void refit_with_this_noise();
+
+  /// Twice the negative logarithm of the likelihood of the fitted model.
+  [[nodiscard]] double unlikeliness() const { return unlikeliness_; }
+
+  /// Second moments with these forms as candidates, at the fitted model.
+  [[nodiscard]] GapStatistics collect_with(std::span<const gap::EffectForm> forms) const;
+  /// Forms of the effects that the model has.
+  [[nodiscard]] std::vector<gap::EffectForm> forms_in_model() const;
+  /// Columns of the parameters.
+  [[nodiscard]] std::vector<Eigen::Index> parameter_columns() const;
+  /// Precision of the prior on the parameter columns and where it draws them, for `width` columns of moments.
+  [[nodiscard]] Eigen::VectorXd precision(Eigen::Index width) const;
+  [[nodiscard]] Eigen::VectorXd target(Eigen::Index width) const;
+
+  /// Relative deviation of each parameter from the datasheet; the contact loads' in N.
+  [[nodiscard]] Eigen::VectorXd deviation() const;
+  /// Their standard errors, and the share of them that the recording does not tell (1: nothing known).
+  [[nodiscard]] const Eigen::VectorXd& standard_error() const { return standard_error_; }
+
+  /// Combinations of parameters that the recording tells at least ten times better than a datasheet does.
+  [[nodiscard]] int known_directions() const { return known_directions_; }
+
+  [[nodiscard]] Axis axis() const { return axis_; }
+  [[nodiscard]] const RecordingSignals& signals() const { return *signals_; }
+  GapModel& model() { return model_; }
+  [[nodiscard]] const GapModel& model() const { return model_; }
+  [[nodiscard]] const GapModel& datasheet() const { return datasheet_; }
+  [[nodiscard]] const Whitening& whitening() const { return whitening_; }
+  void set_whitening(const Whitening& whitening) { whitening_ = whitening; }
+
+ private:
+  struct Trial {
+    GapStatistics statistics;
+    Eigen::MatrixXd moments;
+    double cost = 0.0;  ///< squares of the innovations and of the prior
+  };
+  [[nodiscard]] Trial tried() const;
+  bool improve(Trial& best);
+  void take(const Eigen::VectorXd& step);
+  void take_parameters(const Eigen::VectorXd& step);
+  void take_sizes(const Eigen::VectorXd& step);
+
+  Axis axis_;
+  const RecordingSignals* signals_;
+  GapModel datasheet_;
+  GapModel model_;
+  Whitening whitening_;
+  double unlikeliness_ = 0.0;
+  int known_directions_ = 0;
+  Eigen::VectorXd standard_error_;
+};
+
+/// How far a datasheet may be off, as a standard deviation; relative.
+inline constexpr double kDatasheetSpread = 0.5;
+inline constexpr double kBlockS = 0.25;
+
+}  // namespace morepro::host

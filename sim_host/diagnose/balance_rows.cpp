@@ -1,0 +1,151 @@
+#include "sim_host/diagnose/balance_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim_host/diagnose/balance_increments.hpp"
+#include "sim_host/diagnose/linear_fit.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kPieceS = 2.0;
+constexpr double kFewestPieces = 6.0;
+
+/// Rows of one window: [band and phase] x [columns of the increments].
+struct Window {
+  std::size_t first = 0;
+  bool in_contact = false;
+  std::size_t piece = 0;
+  Eigen::MatrixXd rows;
+};
+
+std::vector<Window> windows_of(const BalanceIncrements& balance, const RecordingSignals& signals) {
+  const Eigen::MatrixXf& phi = test_functions();
+  const auto length = static_cast<Eigen::Index>(kWindowLength);
+  const double piece_s = std::min(kPieceS, signals.duration_s() / kFewestPieces);
+  const auto& contact = signals.value[index_of(Channel::kContact)];
+  std::vector<Window> windows;
+  for (Eigen::Index first = 0; first + length <= balance.columns.rows(); first += length / 2) {
+    const auto part = balance.columns.middleRows(first, length);
+    Window window;
+    window.first = static_cast<std::size_t>(first);
+    window.rows = (phi * part).cast<double>();
+    if (!window.rows.allFinite()) continue;
+    const std::size_t middle = window.first + kWindowLength / 2;
+    window.in_contact = middle < contact.size() && contact[middle] > 0.0F;
+    window.piece = static_cast<std::size_t>(signals.time_s(middle) / piece_s);
+    windows.push_back(std::move(window));
+  }
+  return windows;
+}
+
+/// Standard deviations of the rows that the model with effects leaves: per band, without and with contact.
+using Scales = std::array<std::array<double, 2>, kRowsPerWindow>;
+
+using Coefficients = Eigen::VectorXd;
+
+Eigen::VectorXd residual_of(const Window& window, const Coefficients& coefficient) {
+  return window.rows.rightCols(1) - window.rows.leftCols(coefficient.size()) * coefficient;
+}
+
+/// Weighted least squares over some windows; without the effect, its coefficient is 0.
+template <class Chosen>
+Coefficients fitted(const std::vector<Window>& windows, const Scales& scale, bool with_effect, Chosen chosen) {
+  const Eigen::Index width = windows.front().rows.cols();
+  Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(width, width);
+  for (const Window& window : windows) {
+    if (!chosen(window)) continue;
+    Eigen::MatrixXd rows = window.rows;
+    for (Eigen::Index r = 0; r < rows.rows(); ++r) rows.row(r) /= scale[static_cast<std::size_t>(r)][window.in_contact];
+    moments += rows.transpose() * rows;
+  }
+  std::vector<Eigen::Index> active;
+  for (Eigen::Index j = 0; j + 1 < width; ++j) {
+    const bool is_effect = j + 2 == width;
+    if (moments(j, j) > 0.0 && (with_effect || !is_effect)) active.push_back(j);
+  }
+  // A trace of a prior: columns that are combinations of others do not run away.
+  Eigen::VectorXd precision = Eigen::VectorXd::Zero(width);
+  for (const Eigen::Index j : active) precision(j) = 1.0e-9 * moments(j, j);
+  const LinearFit solution = fit(moments, active, precision, Eigen::VectorXd::Zero(width));
+  Coefficients coefficient = Coefficients::Zero(width - 1);
+  for (std::size_t i = 0; i < active.size(); ++i) coefficient(active[i]) = solution.coefficient(static_cast<Eigen::Index>(i));
+  return coefficient;
+}
+
+Scales scales_of(const std::vector<Window>& windows, const Coefficients& coefficient) {
+  Scales sum{};
+  Scales count{};
+  for (const Window& window : windows) {
+    const Eigen::VectorXd residual = residual_of(window, coefficient);
+    for (std::size_t r = 0; r < kRowsPerWindow; ++r) {
+      sum[r][window.in_contact] += residual(static_cast<Eigen::Index>(r)) * residual(static_cast<Eigen::Index>(r));
+      count[r][window.in_contact] += 1.0;
+    }
+  }
+  for (std::size_t r = 0; r < kRowsPerWindow; ++r)
+    for (std::size_t c = 0; c < 2; ++c) sum[r][c] = count[r][c] > 0.0 ? std::sqrt(std::max(sum[r][c] / count[r][c], 1.0e-300)) : 1.0;
+  return sum;
+}
+
+WindowPower power_of(const Window& window, const Coefficients& coefficient, const Scales& scale) {
+  const Eigen::VectorXd residual = residual_of(window, coefficient);
+  WindowPower power{.first = window.first};
+  for (std::size_t r = 0; r < kRowsPerWindow; ++r) {
+    const double value = residual(static_cast<Eigen::Index>(r)) / scale[r][window.in_contact];
+    power.power[band_of_row(r)] += value * value / rows_of_band(band_of_row(r));
+  }
+  return power;
+}
+
+double total_of(const WindowPower& power) {
+  double sum = 0.0;
+  for (std::size_t band = 0; band < kBands; ++band) sum += rows_of_band(band) * power.power[band];
+  return sum;
+}
+
+void hold_out(const std::vector<Window>& windows, const Scales& scale, BalanceRows& rows) {
+  const std::size_t pieces = windows.back().piece + 1;
+  rows.held_out_before.assign(pieces, 0.0);
+  rows.held_out_after.assign(pieces, 0.0);
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    const auto is_training = [parity](const Window& w) { return w.piece % 2 != parity; };
+    const Coefficients before = fitted(windows, scale, false, is_training);
+    const Coefficients after = fitted(windows, scale, true, is_training);
+    for (const Window& window : windows) {
+      if (is_training(window)) continue;
+      rows.held_out_before[window.piece] += total_of(power_of(window, before, scale));
+      rows.held_out_after[window.piece] += total_of(power_of(window, after, scale));
+    }
+  }
+}
+
+BalanceRows rows_of(const BalanceIncrements& balance, const RecordingSignals& signals) {
+  BalanceRows rows{.balance = balance.balance};
+  const std::vector<Window> windows = windows_of(balance, signals);
+  if (windows.size() < 4) return rows;
+  const auto all = [](const Window&) { return true; };
+  Scales scale;
+  for (auto& pair : scale) pair = {1.0, 1.0};
+  for (int round = 0; round < 3; ++round) scale = scales_of(windows, fitted(windows, scale, true, all));
+  const Coefficients before = fitted(windows, scale, false, all);
+  const Coefficients after = fitted(windows, scale, true, all);
+  for (const Window& window : windows) {
+    rows.before.push_back(power_of(window, before, scale));
+    rows.after.push_back(power_of(window, after, scale));
+  }
+  hold_out(windows, scale, rows);
+  return rows;
+}
+
+}  // namespace
+
+std::vector<BalanceRows> balance_rows(const AxisDiagnosis& diagnosis) {
+  std::vector<BalanceRows> all;
+  for (const BalanceIncrements& balance : balance_increments(diagnosis))
+    all.push_back(rows_of(balance, diagnosis.fit.signals()));
+  return all;
+}
+
+}  // namespace morepro::host

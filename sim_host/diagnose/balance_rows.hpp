@@ -1,0 +1,26 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "lib/gap/effect.hpp"
+#include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/window_rows.hpp"
+
+namespace morepro::host {
+
+/// Powers of one balance, window by window, in units of the noise floor: what the recording leaves of a balance
+/// that is integrated exactly over every sampling interval, in smooth windows. The floor is what the model with
+/// effects leaves on average, band by band and with and without contact.
+struct BalanceRows {
+  gap::Balance balance = gap::Balance::kSpindleTorque;
+  std::vector<WindowPower> before{};  ///< nominal parameters refitted to these rows
+  std::vector<WindowPower> after{};   ///< and the effects, with one common size refitted
+  /// The same with sizes fitted to the other half of the windows, 2 s and 2 s in turn.
+  std::vector<double> held_out_before{};
+  std::vector<double> held_out_after{};
+};
+
+/// Rows of the balances of an axis that have their signals.
+std::vector<BalanceRows> balance_rows(const AxisDiagnosis& diagnosis);
+
+}  // namespace morepro::host

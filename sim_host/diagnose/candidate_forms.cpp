@@ -1,0 +1,144 @@
+#include "sim_host/diagnose/candidate_forms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include "lib/gap/unnamed_laws.hpp"
+
+namespace morepro::host {
+namespace {
+
+using gap::Effect;
+
+class Forms {
+ public:
+  explicit Forms(std::span<const Effect> excluded) : excluded_(excluded) {}
+
+  void add(Effect effect, std::initializer_list<double> shapes, std::uint8_t parts = 1, std::uint8_t kind = 0) {
+    if (std::find(excluded_.begin(), excluded_.end(), effect) != excluded_.end()) return;
+    for (const double shape : shapes)
+      forms.push_back({.effect = effect, .kind = kind, .parts = parts, .shape = static_cast<float>(shape)});
+  }
+  void add(Effect effect, std::uint8_t parts = 1, std::uint8_t kind = 0) { add(effect, {0.0}, parts, kind); }
+
+  std::vector<gap::EffectForm> forms;
+
+ private:
+  std::span<const Effect> excluded_;
+};
+
+bool varies(const RecordingSignals& signals, Channel channel) {
+  const auto& column = signals.value[index_of(channel)];
+  float lowest = 1.0e30F;
+  float highest = -1.0e30F;
+  for (const float value : column) {
+    if (!(value == value)) continue;
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  return highest > lowest;
+}
+
+void add_torques(Forms& forms, const RecordingSignals& signals) {
+  forms.add(Effect::kSpindleCoulombFriction, {0.002, 0.01});
+  forms.add(Effect::kSpindleStribeckFriction, {0.02, 0.06, 0.15});
+  forms.add(Effect::kSpindleWindage);
+  forms.add(Effect::kSpindleCogging, {1, 2, 3, 4, 6, 7, 8, 9, 10, 12, 14, 16, 18, 24}, 2);
+  if (signals.has(Channel::kContact)) {
+    forms.add(Effect::kToothPassingTorque, 4);
+    forms.add(Effect::kContactSpeedDependence);
+    forms.add(Effect::kToolWearRamp);
+    if (varies(signals, Channel::kChipLoad)) forms.add(Effect::kContactChipLoadDependence);
+    if (varies(signals, Channel::kToolTemperature)) forms.add(Effect::kContactTemperatureDependence);
+  }
+  if (varies(signals, Channel::kWindingTemperature)) forms.add(Effect::kViscousTemperatureDependence);
+  if (varies(signals, Channel::kToolTemperature)) forms.add(Effect::kViscousTemperatureDependence, 1, 1);
+  forms.add(Effect::kTorqueConstantSaturation);
+  forms.add(Effect::kShaftCompliance, {60, 120, 240, 480, 960});
+}
+
+void add_voltages(Forms& forms, const RecordingSignals& signals, double step_s) {
+  forms.add(Effect::kBrushVoltageDrop, {0.02, 0.2});
+  forms.add(Effect::kInductanceSaturation);
+  forms.add(Effect::kSupplyVoltageOffset);
+  forms.add(Effect::kDriveLag, {0.5 * step_s, 1.0e-4, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3});
+  forms.add(Effect::kArmatureReaction, 1, 0);
+  forms.add(Effect::kArmatureReaction, 1, 1);
+  if (!varies(signals, Channel::kWindingTemperature)) return;
+  forms.add(Effect::kResistanceTemperatureDrift);
+  forms.add(Effect::kMagnetTemperatureDrift, 1, 0);
+  forms.add(Effect::kMagnetTemperatureDrift, 1, 1);
+}
+
+void add_spindle_sensors(Forms& forms, const RecordingSignals& signals, double step_s) {
+  const std::initializer_list<double> delays{0.5 * step_s, 1.0 * step_s,  2.0 * step_s, 4.0 * step_s,
+                                             8.0 * step_s, 16.0 * step_s, 32.0 * step_s};
+  forms.add(Effect::kSpindleSpeedBias);
+  forms.add(Effect::kSpindleSpeedDelay, delays);
+  forms.add(Effect::kSpindleSpeedBandwidth, delays);
+  forms.add(Effect::kEncoderEccentricity, 2);
+  if (!signals.has(Channel::kArmatureCurrent)) return;
+  forms.add(Effect::kCurrentBias);
+  forms.add(Effect::kCurrentDelay, delays);
+  forms.add(Effect::kCurrentBandwidth, delays);
+  forms.add(Effect::kCurrentNonlinearity, 1, 0);
+  forms.add(Effect::kCurrentNonlinearity, 1, 1);
+}
+
+void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& model, double step_s) {
+  forms.add(Effect::kFeedCoulombFriction, {0.002, 0.01, 0.05});
+  if (!(model.machine.feed.viscous_friction_ns_m > 0.0)) forms.add(Effect::kFeedViscousFriction);
+  forms.add(Effect::kFeedStribeckFriction, {0.05, 0.15, 0.4});
+  forms.add(Effect::kFeedAsymmetricFriction);
+  forms.add(Effect::kFeedForceOffset);
+  if (model.machine.feed.screw_pitch_m > 0.0) forms.add(Effect::kFeedScrewPeriodic, 2);
+  forms.add(Effect::kFeedSpring);
+  forms.add(Effect::kFeedForceSaturation);
+  forms.add(Effect::kFeedDriveLag, {0.5 * step_s, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3, 6.4e-3, 1.28e-2});
+  forms.add(Effect::kFeedBacklash, {5.0e-6, 1.0e-5, 2.0e-5, 5.0e-5, 1.0e-4, 2.0e-4}, 2);
+  forms.add(Effect::kFeedPresliding, {2.0e-6, 1.0e-5, 5.0e-5, 2.0e-4, 1.0e-3});
+  if (signals.has(Channel::kFeedSpeed))
+    forms.add(Effect::kFeedSpeedDelay, {0.5 * step_s, step_s, 2.0 * step_s, 4.0 * step_s, 8.0 * step_s,
+                                        16.0 * step_s, 32.0 * step_s, 64.0 * step_s});
+  if (!signals.has(Channel::kContact)) return;
+  forms.add(Effect::kFeedContactDrift);
+  forms.add(Effect::kFeedCuttingSpeedDependence, 1, 1);
+  if (!signals.has(Channel::kSpindleSpeed)) return;
+  forms.add(Effect::kFeedCuttingSpeedDependence, 1, 0);
+  forms.add(Effect::kFeedToothPassingForce, 4);
+}
+
+}  // namespace
+
+std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals, const GapModel& model,
+                                             std::span<const gap::Effect> excluded) {
+  const double step_s = 1.0 / signals.rate_hz;
+  Forms forms(excluded);
+  if (axis == Axis::kFeed) {
+    add_forces(forms, signals, model, step_s);
+  } else {
+    add_torques(forms, signals);
+    add_voltages(forms, signals, step_s);
+    add_spindle_sensors(forms, signals, step_s);
+  }
+  return std::move(forms.forms);
+}
+
+std::vector<gap::EffectForm> unnamed_forms(Axis axis, const RecordingSignals&) {
+  std::vector<gap::EffectForm> forms;
+  const auto add = [&forms](Effect effect, std::uint8_t laws, std::initializer_list<double> lags) {
+    for (const double lag_s : lags)
+      for (std::uint8_t law = 0; law < laws; ++law)
+        forms.push_back({.effect = effect, .kind = law, .parts = 1, .shape = static_cast<float>(lag_s)});
+  };
+  if (axis == Axis::kFeed) {
+    add(Effect::kUnnamedForce, gap::laws::kUnnamedFeedLaws, {0.0, 0.02});
+  } else {
+    add(Effect::kUnnamedTorque, gap::laws::kUnnamedSpindleLaws, {0.0, 0.01});
+    add(Effect::kUnnamedVoltage, gap::laws::kUnnamedSpindleLaws, {0.0, 0.01});
+  }
+  return forms;
+}
+
+}  // namespace morepro::host

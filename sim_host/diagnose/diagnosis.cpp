@@ -1,0 +1,314 @@
+#include "sim_host/diagnose/diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/gap/effect_catalogue.hpp"
+#include "lib/gap/effect_size.hpp"
+#include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/bootstrap.hpp"
+#include "sim_host/diagnose/candidate_forms.hpp"
+#include "sim_host/diagnose/leftover.hpp"
+#include "sim_host/diagnose/noise_fit.hpp"
+#include "sim_host/diagnose/parameter_report.hpp"
+#include "sim_host/diagnose/reference_scales.hpp"
+#include "sim_host/diagnose/sampling_checks.hpp"
+#include "sim_host/diagnose/shrinkage.hpp"
+#include "sim_host/diagnose/where.hpp"
+
+namespace morepro::host {
+namespace {
+
+using gap::Effect;
+
+constexpr double kFixedThreshold = 40.0;
+constexpr double kLeastUnnamed = 60.0;
+constexpr double kUnexplainedShare = 0.10;
+// No catalogue has exactly a machine's shapes: evidence that differs by this share of the best does not decide.
+constexpr double kMisfit = 0.015;
+constexpr double kAliasOdds = 20.0;
+constexpr std::size_t kMostAliases = 3;
+constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
+constexpr std::size_t kFewestRows = 1000;
+
+struct AxisOutcome {
+  AxisDiagnosis diagnosis;
+  Leftover leftover;
+  ChanceEvidence chance;
+  double parameter_evidence = 0.0;
+};
+
+bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
+  if (axis == Axis::kSpindle)
+    return machine.has_spindle && signals.has(Channel::kArmatureVoltage) && signals.has(Channel::kSpindleSpeed);
+  return machine.has_feed && signals.has(Channel::kFeedForce) &&
+         (signals.has(Channel::kFeedSpeed) || signals.has(Channel::kFeedPosition));
+}
+
+class Diagnosis {
+ public:
+  Diagnosis(RecordingSignals signals, const MachineDescription& machine, const DiagnosisOptions& options)
+      : signals_(std::move(signals)), machine_(machine), options_(options) {}
+
+  DiagnosisResult run(MachineDescription& with_effects) {
+    describe_recording();
+    thin_out();
+    Sensors sensors = machine_.configuration.sensors;
+    faults_ = find_quantization(signals_, sensors);
+    if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
+    datasheet_ = {.machine = machine_.configuration.machine,
+                  .point = reference_point_for(machine_, signals_),
+                  .effects = {},
+                  .noise = least_noise(sensors)};
+    for (const Axis axis : {Axis::kSpindle, Axis::kFeed}) try_axis(axis);
+    judge();
+    rank();
+    measure();
+    with_effects = machine_with_effects();
+    return std::move(result_);
+  }
+
+ private:
+  void describe_recording() {
+    result_.rows = signals_.rows - signals_.missing_rows;
+    result_.rate_hz = signals_.rate_hz;
+    result_.duration_s = signals_.duration_s();
+    result_.missing_rows = signals_.missing_rows;
+  }
+
+  /// An axis that is known by its position alone: from one fast sample to the next it moves by little more than
+  /// the position's steps and what shakes it, and friction is seen over longer times.
+  void thin_out() {
+    constexpr double kFastEnoughHz = 200.0;
+    const bool is_position_only = signals_.has(Channel::kFeedPosition) && !signals_.has(Channel::kFeedSpeed) &&
+                                  !signals_.has(Channel::kSpindleSpeed);
+    const auto factor = static_cast<std::size_t>(signals_.rate_hz / kFastEnoughHz);
+    if (is_position_only && factor > 1) signals_ = thinned(signals_, factor);
+  }
+
+  void try_axis(Axis axis) {
+    if (!is_evaluable(axis, signals_, machine_) || signals_.rows < kFewestRows) return;
+    options_.on_progress(axis == Axis::kSpindle ? "spindle" : "feed", 0.0);
+    SearchLimits limits{.least_evidence = kFixedThreshold};
+    AxisOutcome outcome{search_effects(axis, signals_, datasheet_, options_.excluded, limits), {}, {}};
+    bootstrap(outcome);
+    drop_what_chance_explains(outcome);
+    outcome.leftover = leftover_of(outcome.diagnosis.fit, std::max(kFixedThreshold, outcome.chance.quantile99));
+    weigh_datasheet(outcome);
+    outcomes_.push_back(std::move(outcome));
+  }
+
+  void bootstrap(AxisOutcome& outcome) {
+    const AxisFit& fit = outcome.diagnosis.fit;
+    const auto forms = candidate_forms(fit.axis(), signals_, fit.model(), options_.excluded);
+    const GapStatistics statistics = fit.collect_with(forms);
+    int done = 0;
+    outcome.chance = chance_evidence(fit, statistics, forms, options_.bootstrap_runs, options_.seed, [&] {
+      options_.on_progress("bootstrap", ++done / static_cast<double>(options_.bootstrap_runs));
+    });
+  }
+
+  void drop_what_chance_explains(AxisOutcome& outcome) {
+    auto& found = outcome.diagnosis.found;
+    const double threshold = std::max(kFixedThreshold, outcome.chance.quantile99);
+    const auto is_chance = [threshold](const Finding& f) { return !(f.evidence >= threshold); };
+    if (std::none_of(found.begin(), found.end(), is_chance)) return;
+    std::erase_if(found, is_chance);
+    if (found.empty()) {
+      outcome.diagnosis.fit = outcome.diagnosis.nominal;
+      return;
+    }
+    auto& effects = outcome.diagnosis.fit.model().effects;
+    effects.clear();
+    for (const Finding& finding : found) effects.push_back(finding.effect);
+    outcome.diagnosis.fit.settle();
+    for (std::size_t i = 0; i < found.size(); ++i) found[i].effect = outcome.diagnosis.fit.model().effects[i];
+  }
+
+  /// Deviance by which the datasheet's parameters are worse than the refitted ones.
+  void weigh_datasheet(AxisOutcome& outcome) const {
+    AxisFit datasheet = outcome.diagnosis.nominal;
+    datasheet.model().machine = datasheet_.machine;
+    const Eigen::MatrixXd wrong = datasheet.collect_with({}).total();
+    const GapStatistics statistics = outcome.diagnosis.nominal.collect_with({});
+    const Eigen::MatrixXd right = statistics.total();
+    const Eigen::Index y = right.cols() - 1;
+    if (!(right(y, y) > 0.0)) return;
+    const double freedom = static_cast<double>(parameter_count(datasheet.axis()));
+    outcome.parameter_evidence = statistics.total_rows() * std::log(wrong(y, y) / right(y, y)) -
+                                 freedom * std::log(statistics.total_rows());
+  }
+
+  void judge() {
+    double named = 0.0;
+    double unnamed = 0.0;
+    bool has_wrong_parameters = false;
+    bool has_excitation = false;
+    for (const AxisOutcome& outcome : outcomes_) {
+      result_.threshold_evidence =
+          std::max({result_.threshold_evidence, kFixedThreshold, outcome.chance.quantile99});
+      result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
+      named += named_deviance(outcome);
+      unnamed += outcome.leftover.gain >= kLeastUnnamed ? outcome.leftover.gain : 0.0;
+      has_wrong_parameters |= outcome.parameter_evidence > kFixedThreshold;
+      has_excitation |= is_excited(outcome.diagnosis.fit);
+    }
+    result_.bootstrap_runs = options_.bootstrap_runs;
+    const bool has_effect = named > 0.0 || !faults_.empty();
+    if (!faults_.empty()) unnamed = 0.0;  // what a faulty sampling leaves is no structure of the machine
+    if (outcomes_.empty() || !has_excitation) result_.verdict = Verdict::kInsufficientExcitation;
+    else if (unnamed > kUnexplainedShare * (named + unnamed)) result_.verdict = Verdict::kUnexplained;
+    else if (has_effect) result_.verdict = Verdict::kEffect;
+    else result_.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
+    result_.explanation = explanation();
+  }
+
+  std::string explanation() const {
+    switch (result_.verdict) {
+      case Verdict::kNoGap:
+        return "the datasheet's model explains the recording to its noise";
+      case Verdict::kParameterError:
+        return "the structure of the model is right, values of the datasheet are not: see the parameters";
+      case Verdict::kEffect:
+        return "the named effects explain what the datasheet's model leaves";
+      case Verdict::kUnexplained:
+        return "there is structure that no effect of the catalogue explains";
+      case Verdict::kInsufficientExcitation:
+        break;
+    }
+    if (signals_.rows < kFewestRows) return fmt::format("the recording is shorter than {} rows", kFewestRows);
+    if (outcomes_.empty()) return "no balance has its signals in the recording and its values in the machine file";
+    return "nothing moves enough in the recording to tell a single parameter";
+  }
+
+  static double named_deviance(const AxisOutcome& outcome) {
+    if (outcome.diagnosis.found.empty()) return 0.0;
+    return std::max(outcome.diagnosis.nominal.unlikeliness() - outcome.diagnosis.fit.unlikeliness(), 0.0);
+  }
+
+  void rank() {
+    if (result_.verdict == Verdict::kInsufficientExcitation) return;
+    for (const SamplingFault& fault : faults_) {
+      EffectResult effect{.is_applicable = false, .effect = fault.effect, .confidence = 0.97};
+      effect.magnitude = fault.size;
+      effect.evidence = fault.evidence;
+      effect.alias_set = {fault.effect};
+      if (std::none_of(result_.which.begin(), result_.which.end(),
+                       [&](const EffectResult& e) { return e.effect == fault.effect; }))
+        result_.which.push_back(effect);
+    }
+    for (const AxisOutcome& outcome : outcomes_)
+      for (const Finding& finding : outcome.diagnosis.found) result_.which.push_back(effect_of(finding, outcome));
+    std::stable_sort(result_.which.begin(), result_.which.end(),
+                     [](const EffectResult& a, const EffectResult& b) { return a.evidence > b.evidence; });
+  }
+
+  EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
+    EffectResult effect{.applied = finding.effect, .effect = finding.effect.form.effect};
+    const gap::EffectScales<double> scales(outcome.diagnosis.fit.model().machine, datasheet_.point);
+    effect.magnitude = gap::size_of(finding.effect, scales);
+    effect.evidence = finding.evidence;
+    effect.standard_error = std::fabs(effect.magnitude) / std::sqrt(std::max(finding.evidence / outcome.chance.temperature, 1.0));
+    const double best = finding.rivals.front().evidence;
+    const double temperature = std::max(outcome.chance.temperature, kMisfit * best);
+    const double floor = result_.threshold_evidence;
+    double sum = 1.0 + std::exp(-(best - floor) / (2.0 * temperature));
+    effect.alias_set = {effect.effect};
+    for (const Candidate& rival : finding.rivals) {
+      if (rival.form.effect == effect.effect) continue;
+      const double behind = std::max(best - rival.evidence, 0.0);
+      sum += std::exp(-behind / (2.0 * temperature));
+      if (behind < 2.0 * temperature * std::log(kAliasOdds) && effect.alias_set.size() < kMostAliases)
+        effect.alias_set.push_back(rival.form.effect);
+    }
+    const double unnamed = outcome.leftover.gain / std::max(outcome.leftover.gain + named_deviance(outcome), 1.0);
+    effect.confidence = (1.0 - unnamed) / sum;
+    return effect;
+  }
+
+  void measure() {
+    std::vector<BalanceRows> gaps;
+    std::vector<double> leftover;
+    for (const AxisOutcome& outcome : outcomes_) {
+      const std::vector<BalanceRows> rows = balance_rows(outcome.diagnosis);
+      for (BalanceResult& balance : balances_of(outcome.diagnosis, rows)) {
+        mark(balance, outcome);
+        result_.where.push_back(std::move(balance));
+      }
+      compare_models(outcome.diagnosis, result_.shrinkage);
+      for (const BalanceRows& balance : rows) {
+        gaps.push_back(balance);
+        leftover.push_back(leftover_in(balance.balance, outcome));
+      }
+      for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit))
+        result_.parameters.push_back(std::move(parameter));
+    }
+    for (std::size_t b = 0; b < gap::kBalanceCount; ++b) add_if_absent(static_cast<gap::Balance>(b));
+    if (!result_.which.empty()) share_closed(gaps, leftover, options_.seed, result_.shrinkage);
+  }
+
+  /// Deviance of the nameless structure that sits in one balance.
+  static double leftover_in(gap::Balance balance, const AxisOutcome& outcome) {
+    if (outcome.leftover.gain < kLeastUnnamed) return 0.0;
+    const double torque = outcome.leftover.torque_share;
+    const double share = balance == gap::Balance::kArmatureVoltage  ? 1.0 - torque
+                         : balance == gap::Balance::kSpindleTorque ? torque
+                                                                   : 1.0;
+    return share * outcome.leftover.gain;
+  }
+
+  void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
+    for (const Finding& finding : outcome.diagnosis.found) {
+      const auto group = gap::info_of(finding.effect.form.effect).group;
+      const bool is_here = static_cast<std::size_t>(group) == static_cast<std::size_t>(balance.balance);
+      const bool is_sensor = group == gap::EffectGroup::kSensor;
+      if (!is_here && !is_sensor) continue;
+      balance.is_significant |= is_here || balance.residual_ratio > kVisible;
+      if (is_here && !balance.onset_s) balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
+    }
+    const double left = leftover_in(balance.balance, outcome);
+    if (!(left >= 0.5 * outcome.leftover.gain && left > 0.0)) return;
+    balance.is_significant = true;
+    const double rows = static_cast<double>(signals_.rows) / (0.5 * kWindowLength) * kRowsPerWindow;
+    balance.residual_ratio *= 1.0 + left / rows;
+    balance.residual_ratio_after *= 1.0 + left / rows;
+  }
+
+  void add_if_absent(gap::Balance balance) {
+    for (const BalanceResult& known : result_.where)
+      if (known.balance == balance) return;
+    BalanceResult absent{.balance = balance};
+    absent.reason = "the recording or the machine file does not hold what it needs";
+    result_.where.push_back(absent);
+  }
+
+  MachineDescription machine_with_effects() const {
+    MachineDescription machine = machine_;
+    for (const AxisOutcome& outcome : outcomes_) {
+      const MachineParameters& fitted = outcome.diagnosis.fit.model().machine;
+      if (outcome.diagnosis.fit.axis() == Axis::kSpindle) machine.configuration.machine.spindle = fitted.spindle;
+      else machine.configuration.machine.feed = fitted.feed;
+      for (const auto& effect : outcome.diagnosis.fit.model().effects) machine.effects.push_back(effect);
+    }
+    return machine;
+  }
+
+  RecordingSignals signals_;
+  MachineDescription machine_;
+  DiagnosisOptions options_;
+  GapModel datasheet_;
+  std::vector<SamplingFault> faults_;
+  std::vector<AxisOutcome> outcomes_;
+  DiagnosisResult result_;
+};
+
+}  // namespace
+
+DiagnosisResult diagnose(RecordingSignals signals, const MachineDescription& machine,
+                         const DiagnosisOptions& options, MachineDescription& with_effects) {
+  return Diagnosis(std::move(signals), machine, options).run(with_effects);
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "sim_host/diagnose/diagnosis_result.hpp"
+#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/machine/machine_description.hpp"
+
+namespace morepro::host {
+
+struct DiagnosisOptions {
+  int bootstrap_runs = 200;           ///< 0: a fixed threshold
+  std::vector<gap::Effect> excluded;  ///< taken out of the catalogue
+  std::uint64_t seed = 1;
+  std::function<void(std::string_view stage, double share)> on_progress = [](std::string_view, double) {};
+};
+
+/// Where the model of the machine is wrong in a recording, which effect explains it, and how far the gap shrinks
+/// with it. `with_effects` becomes the machine that was found: refitted parameters and effects. The same seed gives
+/// the same result.
+DiagnosisResult diagnose(RecordingSignals signals, const MachineDescription& machine,
+                         const DiagnosisOptions& options, MachineDescription& with_effects);
+
+}  // namespace morepro::host

@@ -1,0 +1,93 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/gap/applied_effect.hpp"
+#include "lib/gap/effect.hpp"
+
+namespace morepro::host {
+
+enum class Verdict : std::uint8_t { kNoGap = 0, kParameterError, kEffect, kUnexplained, kInsufficientExcitation };
+
+inline constexpr std::array<std::string_view, 5> kVerdictNames{"no_gap", "parameter_error", "effect", "unexplained",
+                                                               "insufficient_excitation"};
+constexpr std::string_view name_of(Verdict verdict) { return kVerdictNames[static_cast<std::size_t>(verdict)]; }
+
+/// A part of a recording in which a balance is looked at for itself.
+struct GapCell {
+  std::string_view by;  ///< contact, speed, direction, temperature, frequency or time
+  double from = 0.0;
+  double to = 0.0;
+  double residual_ratio = 1.0;
+  double p_value = 1.0;
+};
+
+struct BalanceResult {
+  gap::Balance balance = gap::Balance::kSpindleTorque;
+  bool is_evaluated = false;
+  std::string reason{};  ///< why it is not evaluated
+  double residual_ratio = 1.0;
+  double residual_ratio_after = 1.0;
+  bool is_significant = false;
+  std::vector<GapCell> cells{};
+  std::optional<double> onset_s{};
+};
+
+struct EffectResult {
+  gap::AppliedEffect applied{};
+  bool is_applicable = true;  ///< faults of the sampling are no part of a model
+  gap::Effect effect = gap::Effect::kSpindleCoulombFriction;
+  double confidence = 0.0;
+  double magnitude = 0.0;
+  double standard_error = 0.0;
+  double evidence = 0.0;
+  std::vector<gap::Effect> alias_set{};
+};
+
+/// The same figure for four models; NaN where there is none.
+struct ModelComparison {
+  double datasheet = 0.0;
+  double refit = 0.0;
+  double with_effect = 0.0;
+  double noise_floor = 0.0;
+};
+
+struct Shrinkage {
+  double share_closed = 0.0;
+  std::array<double, 2> interval90{};
+  double horizon_s = 1.0;
+  std::array<std::optional<ModelComparison>, gap::kBalanceCount> one_step_nrmse;
+  std::array<std::optional<ModelComparison>, gap::kBalanceCount> free_run_nrmse;
+};
+
+struct ParameterResult {
+  std::string name;
+  double datasheet = 0.0;
+  double refit = 0.0;
+  double standard_error = 0.0;
+  bool is_identifiable = false;
+  std::string reason;
+};
+
+struct DiagnosisResult {
+  std::string file;
+  std::size_t rows = 0;
+  double rate_hz = 0.0;
+  double duration_s = 0.0;
+  std::size_t missing_rows = 0;
+  Verdict verdict = Verdict::kInsufficientExcitation;
+  std::string explanation;  ///< one sentence
+  std::vector<BalanceResult> where;
+  std::vector<EffectResult> which;
+  Shrinkage shrinkage;
+  std::vector<ParameterResult> parameters;
+  double threshold_evidence = 0.0;
+  double temperature = 1.0;
+  int bootstrap_runs = 0;
+};
+
+}  // namespace morepro::host

@@ -1,0 +1,124 @@
+#include "sim_host/diagnose/effect_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace morepro::host {
+namespace {
+
+using gap::Effect;
+
+/// Effects that can only act in one direction: friction brakes, a lag lags.
+bool must_be_positive(Effect effect) {
+  switch (effect) {
+    case Effect::kSpindleCoulombFriction:
+    case Effect::kSpindleStribeckFriction:
+    case Effect::kSpindleWindage:
+    case Effect::kShaftCompliance:
+    case Effect::kFeedCoulombFriction:
+    case Effect::kFeedViscousFriction:
+    case Effect::kFeedStribeckFriction:
+    case Effect::kFeedPresliding:
+    case Effect::kFeedBacklash:
+    case Effect::kDriveLag:
+    case Effect::kFeedDriveLag:
+    case Effect::kBrushVoltageDrop:
+    case Effect::kSpindleSpeedDelay:
+    case Effect::kCurrentDelay:
+    case Effect::kFeedSpeedDelay:
+    case Effect::kSpindleSpeedBandwidth:
+    case Effect::kCurrentBandwidth:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool has_shape(const gap::EffectForm& form) {
+  return form.shape > 0.0F && form.effect != Effect::kSpindleCogging;
+}
+
+double evidence_of(double rss, double gain, double rows, double freedom) {
+  const double left = std::max(rss - gain, 1.0e-9 * rss);
+  const double evidence = rows * std::log(rss / left) - freedom * std::log(std::max(rows, 2.0));
+  return std::isfinite(evidence) ? evidence : -1.0e300;
+}
+
+std::vector<gap::EffectForm> around(gap::EffectForm form, double centre, double spread) {
+  constexpr int kSteps = 4;
+  std::vector<gap::EffectForm> forms;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    form.shape = static_cast<float>(centre * std::pow(spread, static_cast<double>(i) / kSteps));
+    forms.push_back(form);
+  }
+  return forms;
+}
+
+void take_best(const AxisFit& axis, const GapStatistics& statistics, const std::vector<gap::EffectForm>& forms,
+               Candidate& finest) {
+  const Eigen::MatrixXd moments = statistics.total();
+  const Eigen::Index width = moments.cols();
+  const Remainder rest =
+      remainder(moments, axis.parameter_columns(), axis.precision(width), axis.target(width));
+  auto column = static_cast<Eigen::Index>(parameter_count(axis.axis()));
+  for (const gap::EffectForm& form : forms) {
+    Eigen::VectorXd coefficient;
+    const double gain = gain_of(rest, moments, column, form.parts, coefficient);
+    column += form.parts;
+    const double evidence = evidence_of(rest.rss, gain, statistics.total_rows(), form.parts + 1.0);
+    if (!(evidence > finest.evidence)) continue;
+    finest.form = form;
+    finest.evidence = evidence;
+    finest.coefficient.assign(coefficient.data(), coefficient.data() + coefficient.size());
+  }
+}
+
+}  // namespace
+
+std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics& statistics,
+                                       const std::vector<gap::EffectForm>& forms) {
+  const Eigen::MatrixXd moments = statistics.total();
+  const Eigen::Index width = moments.cols();
+  const Remainder rest =
+      remainder(moments, axis.parameter_columns(), axis.precision(width), axis.target(width));
+  const double rows = statistics.total_rows();
+  std::map<Effect, int> shapes;
+  for (const auto& form : forms) ++shapes[form.effect];
+  std::map<Effect, Candidate> best;
+  auto column = static_cast<Eigen::Index>(parameter_count(axis.axis()));
+  for (const gap::EffectForm& form : forms) {
+    Eigen::VectorXd coefficient;
+    const double gain = gain_of(rest, moments, column, form.parts, coefficient);
+    const double freedom = form.parts + (shapes[form.effect] > 1 ? 1.0 : 0.0);
+    Candidate candidate{form, column, evidence_of(rest.rss, gain, rows, freedom), {}};
+    candidate.coefficient.assign(coefficient.data(), coefficient.data() + coefficient.size());
+    column += form.parts;
+    if (must_be_positive(form.effect) && !(candidate.coefficient[0] > 0.0)) continue;
+    const auto place = best.find(form.effect);
+    if (place == best.end()) best.emplace(form.effect, candidate);
+    else if (candidate.evidence > place->second.evidence) place->second = candidate;
+  }
+  std::vector<Candidate> ranked;
+  for (auto& [effect, candidate] : best) ranked.push_back(std::move(candidate));
+  std::sort(ranked.begin(), ranked.end(),
+            [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+  return ranked;
+}
+
+Candidate refined(const AxisFit& axis, const Candidate& candidate) {
+  Candidate finest = candidate;
+  if (!has_shape(candidate.form)) return finest;
+  const bool is_pure_shape = gap::size_is_shape(candidate.form.effect) && candidate.form.parts == 1;
+  double centre = static_cast<double>(candidate.form.shape);
+  // Half of a lag looks like half as long a lag.
+  if (is_pure_shape) centre *= std::clamp(candidate.coefficient[0], 0.1, 4.0);
+  for (const double spread : {2.0, 1.2}) {
+    const auto forms = around(candidate.form, centre, spread);
+    take_best(axis, axis.collect_with(forms), forms, finest);
+    centre = static_cast<double>(finest.form.shape);
+  }
+  return finest;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,25 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim_host/diagnose/axis_fit.hpp"
+
+namespace morepro::host {
+
+/// What one form of an effect would take from the residual of the current model.
+struct Candidate {
+  gap::EffectForm form;
+  Eigen::Index column = 0;  ///< its first in the moments
+  double evidence = 0.0;    ///< n ln(RSS without / RSS with) - dof ln n
+  std::vector<double> coefficient;
+};
+
+/// Every effect once, by its best form, most evidence first.
+std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics& statistics,
+                                       const std::vector<gap::EffectForm>& forms);
+
+/// The same with the shape between the grid's that takes most. The effect is not in the model yet.
+Candidate refined(const AxisFit& axis, const Candidate& candidate);
+
+}  // namespace morepro::host

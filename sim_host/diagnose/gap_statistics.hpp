@@ -1,0 +1,38 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/whitening.hpp"
+
+namespace morepro::host {
+
+/// Second moments of whitened rows [parameters | terms | innovation], block of time by block of time.
+struct GapStatistics {
+  std::vector<Eigen::MatrixXd> block;
+  std::vector<double> rows;  ///< of each block
+  double block_s = 0.0;
+  /// For the next whitening, and for looking at what is left: innovations over the observer's standard deviation.
+  std::array<std::vector<float>, kSensorsPerAxis> normalised;
+  std::array<std::vector<bool>, kSensorsPerAxis> in_contact;
+  std::array<double, kSensorsPerAxis> log_variance{};  ///< sum over the innovations, as the observer expects it
+
+  [[nodiscard]] Eigen::MatrixXd total() const;
+  [[nodiscard]] double total_rows() const;
+};
+
+/// One pass over the whole recording. `block_s` > 0.
+GapStatistics collect(Axis axis, const RecordingSignals& signals, const GapModel& model,
+                      std::span<const gap::EffectForm> forms, const Whitening& whitening, double block_s);
+
+/// Twice the negative logarithm of the likelihood of a pass, with the whitening that fits it best: what models of
+/// different noise are compared by. Smaller is better.
+double unlikeliness_of(const GapStatistics& statistics);
+
+/// The whitening that fits what a pass has left.
+Whitening whitening_of(const GapStatistics& statistics);
+
+}  // namespace morepro::host

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "lib/gap/effect_form.hpp"
+#include "sim_host/diagnose/gap_model.hpp"
+#include "sim_host/diagnose/recording_signals.hpp"
+
+namespace morepro::host {
+
+inline constexpr std::size_t kMostTerms = 160;
+inline constexpr std::size_t kMostApplied = 8;
+inline constexpr std::size_t kDelaySteps = 254;
+
+/// What an axis is watched through, in the order of `Innovation::sensor`.
+inline constexpr std::size_t kSensorsPerAxis = 2;
+
+/// One innovation of one sensor, not yet divided by its standard deviation.
+struct Innovation {
+  std::size_t row = 0;     ///< of the recording
+  std::size_t sensor = 0;  ///< spindle: speed, current; feed: position, speed
+  bool in_contact = false;
+  double value = 0.0;
+  double variance = 1.0;
+  std::span<const double> columns{};  ///< parameters of the axis, then the terms of the forms in their order
+};
+
+using OnInnovation = std::function<void(const Innovation&)>;
+
+/// Number of parameter columns that come before the terms.
+std::size_t parameter_count(Axis axis);
+
+/// Runs the observer of one axis over rows [first, last) of the recording with the model, and `forms` as
+/// disturbances that might act. The observer starts at `first`.
+void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& model,
+                  std::span<const gap::EffectForm> forms, std::size_t first, std::size_t last,
+                  const OnInnovation& on_innovation);
+
+/// What the effects of a model do in every row of a recording: to the balances during the interval that begins
+/// there, to the sensors at its beginning.
+struct EffectTrace {
+  std::vector<gap::Contribution<double>> added;
+  std::vector<gap::Contribution<double>> shown;
+};
+EffectTrace trace_effects(Axis axis, const RecordingSignals& signals, const GapModel& model);
+
+}  // namespace morepro::host

@@ -1,0 +1,100 @@
+#include "sim_host/diagnose/leftover.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim_host/diagnose/candidate_forms.hpp"
+#include "sim_host/diagnose/spectral_lines.hpp"
+#include "sim_host/diagnose/white_innovations.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr std::size_t kMostStructures = 8;
+
+void look_for_functions(const AxisFit& fit, double least_evidence, Leftover& leftover) {
+  const auto forms = unnamed_forms(fit.axis(), fit.signals());
+  const GapStatistics statistics = fit.collect_with(forms);
+  const Eigen::MatrixXd moments = statistics.total();
+  if (moments.size() == 0) return;
+  const Eigen::Index width = moments.cols();
+  std::vector<Eigen::Index> active = fit.parameter_columns();
+  const auto first = static_cast<Eigen::Index>(active.size());
+  const double rows = statistics.total_rows();
+  double torque = 0.0;
+  for (std::size_t i = 0; i < kMostStructures; ++i) {
+    const Remainder rest = remainder(moments, active, fit.precision(width), fit.target(width));
+    double best = 0.0;
+    Eigen::Index chosen = first;
+    Eigen::VectorXd coefficient;
+    for (Eigen::Index column = first; column < width - 1; ++column) {
+      const double gain = gain_of(rest, moments, column, 1, coefficient);
+      if (gain > best) {
+        best = gain;
+        chosen = column;
+      }
+    }
+    const double deviance = rows * std::log(rest.rss / std::max(rest.rss - best, 1.0e-9 * rest.rss));
+    if (!(deviance > least_evidence)) break;
+    active.push_back(chosen);
+    leftover.gain += deviance;
+    leftover.freedom += 1.0;
+    const bool is_torque =
+        forms[static_cast<std::size_t>(chosen - first)].effect == gap::Effect::kUnnamedTorque;
+    if (is_torque) torque += deviance;
+  }
+  if (leftover.gain > 0.0) leftover.torque_share = torque / leftover.gain;
+}
+
+/// White innovations over the angle of the spindle: sums over equal turns, in units of their standard deviation.
+std::vector<float> over_angle(const std::vector<float>& white, const RecordingSignals& signals) {
+  constexpr double kBinsPerTurn = 24.0;
+  constexpr double kTurn = 6.283185307179586;
+  const auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
+  std::vector<float> bins;
+  double angle = 0.0;
+  double sum = 0.0;
+  double count = 0.0;
+  const std::size_t skipped = signals.rows - std::min(signals.rows, white.size());
+  for (std::size_t i = 0; i < white.size(); ++i) {
+    const float w = speed.empty() ? 0.0F : speed[std::min(i + skipped, speed.size() - 1)];
+    if (w == w) angle += std::fabs(static_cast<double>(w)) / signals.rate_hz * kBinsPerTurn / kTurn;
+    sum += static_cast<double>(white[i]);
+    count += 1.0;
+    if (angle < 1.0) continue;
+    // An instant that covers several bins is in all of them.
+    for (; angle >= 1.0; angle -= 1.0) bins.push_back(static_cast<float>(sum / std::sqrt(count)));
+    sum = count = 0.0;
+  }
+  return bins;
+}
+
+void look_for_lines(const AxisFit& fit, Leftover& leftover) {
+  const GapStatistics statistics = fit.collect_with({});
+  double largest = 0.0;
+  double torque = 0.0;
+  for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) {
+    if (statistics.normalised[sensor].empty()) continue;
+    const auto white = white_innovations(
+        statistics, sensor, whitening_of(statistics.normalised[sensor], statistics.in_contact[sensor]));
+    double gain = line_gain(white);
+    if (fit.signals().has(Channel::kSpindleSpeed)) gain = std::max(gain, line_gain(over_angle(white, fit.signals())));
+    if (sensor == 0) torque = gain;
+    largest += gain;
+  }
+  if (!(largest > leftover.gain)) return;
+  leftover.torque_share = torque / largest;
+  leftover.gain = largest;
+  leftover.is_periodic = true;
+}
+
+}  // namespace
+
+Leftover leftover_of(const AxisFit& fit, double least_evidence) {
+  Leftover leftover;
+  look_for_functions(fit, least_evidence, leftover);
+  look_for_lines(fit, leftover);
+  return leftover;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,64 @@
+#include "sim_host/diagnose/parameter_report.hpp"
+
+#include <cmath>
+
+namespace morepro::host {
+namespace {
+
+// A parameter that the recording leaves this uncertain was not found in it.
+constexpr double kTold = 0.1;
+
+struct Named {
+  const char* name;
+  double datasheet;
+  double refit;
+  const char* advice;
+};
+
+std::vector<Named> named(const AxisFit& fit) {
+  const auto& s = fit.model().machine.spindle;
+  const auto& s0 = fit.datasheet().machine.spindle;
+  const auto& f = fit.model().machine.feed;
+  const auto& f0 = fit.datasheet().machine.feed;
+  if (fit.axis() == Axis::kSpindle)
+    return {{"torque_constant_nm_a", s0.torque_constant_nm_a, s.torque_constant_nm_a,
+             "torque, friction and inertia have one common factor until a known contact load fixes it"},
+            {"viscous_friction_nms_rad", s0.viscous_friction_nms_rad, s.viscous_friction_nms_rad,
+             "it needs different speeds without contact"},
+            {"inertia_kgm2", s0.inertia_kgm2, s.inertia_kgm2, "it needs accelerations and a known contact load"},
+            {"resistance_ohm", s0.resistance_ohm, s.resistance_ohm,
+             "it needs currents that vary apart from the speed, such as contact on and off"},
+            {"back_emf_constant_vs_rad", s0.back_emf_constant_vs_rad, s.back_emf_constant_vs_rad,
+             "it needs speeds that vary apart from the current"},
+            {"inductance_h", s0.inductance_h, s.inductance_h, "it needs steps of the voltage, sampled within L/R"}};
+  return {{"mass_kg", f0.mass_kg, f.mass_kg, "it needs accelerations of the axis"},
+          {"viscous_friction_ns_m", f0.viscous_friction_ns_m, f.viscous_friction_ns_m,
+           "it needs different feed speeds"},
+          {"contact_force_n", f0.contact_force_n + f0.contact_offset_n, f.contact_force_n + f.contact_offset_n,
+           "it needs contact on and off"}};
+}
+
+double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
+  if (static_cast<Eigen::Index>(index) >= fit.standard_error().size()) return 0.0;
+  const double error = fit.standard_error()(static_cast<Eigen::Index>(index));
+  const bool is_load = fit.axis() == Axis::kFeed && index == 2;
+  return is_load ? error : error * std::fabs(refit);
+}
+
+}  // namespace
+
+std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
+  std::vector<ParameterResult> results;
+  const auto all = named(fit);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double error = standard_error_of(fit, i, all[i].refit);
+    const bool is_told = error < kTold * std::fabs(all[i].refit) && all[i].refit != 0.0;
+    results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told,
+                       is_told ? "" : all[i].advice});
+  }
+  return results;
+}
+
+bool is_excited(const AxisFit& fit) { return fit.known_directions() >= (fit.axis() == Axis::kSpindle ? 2 : 1); }
+
+}  // namespace morepro::host

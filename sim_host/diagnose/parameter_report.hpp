@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "sim_host/diagnose/axis_fit.hpp"
+#include "sim_host/diagnose/diagnosis_result.hpp"
+
+namespace morepro::host {
+
+/// Refitted parameters of an axis, with what the recording tells about each.
+std::vector<ParameterResult> parameters_of(const AxisFit& fit);
+
+/// Does the recording tell more of the axis than a steady state does?
+bool is_excited(const AxisFit& fit);
+
+}  // namespace morepro::host

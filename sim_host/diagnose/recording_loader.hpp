@@ -1,0 +1,11 @@
+#pragma once
+#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/recording/recording_reader.hpp"
+
+namespace morepro::host {
+
+/// Reads a whole recording; `usable`: bit_of(channel) of what the machine can do something with. Values that no
+/// sensor of that kind can give become missing samples. Throws UserError where a row cannot be read.
+RecordingSignals load_signals(RecordingReader& recording, std::uint16_t usable);
+
+}  // namespace morepro::host

@@ -1,0 +1,93 @@
+#include "sim_host/diagnose/sampling_checks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace morepro::host {
+namespace {
+
+constexpr std::array kNoisyChannels{Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed,
+                                    Channel::kFeedPosition};
+constexpr std::size_t kSampled = 20000;
+constexpr double kCertain = 1.0e4;  // deviance: what stands in the samples is not a matter of chance
+
+/// The step that all values are multiples of; 0 where there is none.
+double step_of(const std::vector<float>& column) {
+  std::vector<double> values;
+  for (const float value : column) {
+    if (value == value) values.push_back(static_cast<double>(value));
+    if (values.size() == kSampled) break;
+  }
+  const std::size_t samples = values.size();
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  if (values.size() < 4 || 2 * values.size() > samples) return 0.0;
+  const double largest = std::max(std::fabs(values.front()), std::fabs(values.back()));
+  const double rounding = 4.0e-7 * largest;
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double difference = values[i] - values[i - 1];
+    if (difference > 3.0 * rounding) step = std::min(step, difference);
+  }
+  if (!std::isfinite(step)) return 0.0;
+  std::size_t fitting = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double steps = (values[i] - values[i - 1]) / step;
+    if (std::fabs(steps - std::round(steps)) < 0.05 + 2.0 * rounding / step) ++fitting;
+  }
+  return 20 * fitting >= 19 * (values.size() - 1) ? step : 0.0;
+}
+
+}  // namespace
+
+std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors) {
+  std::vector<SamplingFault> faults;
+  for (const Channel channel : kNoisyChannels) {
+    if (!signals.has(channel)) continue;
+    SensorNoise& sensor = sensors[channel];
+    const double step = step_of(signals.value[index_of(channel)]);
+    // A step that adds less than a tenth to the noise that is known changes nothing.
+    if (!(step * step / 12.0 > sensor.lsb * sensor.lsb / 12.0 * 1.2 + 0.1 * sensor.variance())) continue;
+    const double unit = sensor.lsb > 0.0 ? sensor.lsb : sensor.noise;
+    faults.push_back({gap::Effect::kSensorQuantization, channel, step / unit, kCertain});
+    sensor.lsb = step;
+  }
+  return faults;
+}
+
+std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors) {
+  constexpr double kLeastFraction = 5.0e-4;
+  std::size_t repeated = 0;
+  for (std::size_t row = signals.rows; row-- > 1;) {
+    int same = 0;
+    int different = 0;
+    for (const Channel channel : kNoisyChannels) {
+      if (!signals.has(channel)) continue;
+      const SensorNoise& sensor = sensors[channel];
+      if (sensor.lsb > 0.2 * sensor.noise) continue;  // repeats itself by rounding
+      const auto& column = signals.value[index_of(channel)];
+      if (!(column[row] == column[row]) || !(column[row - 1] == column[row - 1])) continue;
+      (column[row] == column[row - 1] ? same : different)++;
+    }
+    if (same < 2 || different > 0) continue;  // one alone may stand still
+    ++repeated;
+    for (const Channel channel : kNoisyChannels)
+      if (signals.has(channel)) signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
+  }
+  std::size_t holes = 0;
+  for (const Channel channel : kNoisyChannels) {
+    if (!signals.has(channel)) continue;
+    const auto& column = signals.value[index_of(channel)];
+    const auto count = static_cast<std::size_t>(
+        std::count_if(column.begin(), column.end(), [](float value) { return !(value == value); }));
+    holes = std::max(holes, count);
+  }
+  const double fraction =
+      static_cast<double>(std::max(holes, repeated)) / static_cast<double>(std::max<std::size_t>(signals.rows, 1));
+  if (fraction < kLeastFraction || fraction > 0.9) return std::nullopt;
+  return SamplingFault{gap::Effect::kSampleDropout, Channel::kSpindleSpeed, fraction, kCertain};
+}
+
+}  // namespace morepro::host

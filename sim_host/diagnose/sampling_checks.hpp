@@ -1,0 +1,26 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/gap/effect.hpp"
+#include "lib/monitor/monitor_configuration.hpp"
+#include "sim_host/diagnose/recording_signals.hpp"
+
+namespace morepro::host {
+
+/// A fault of the acquisition that stands in the samples themselves.
+struct SamplingFault {
+  gap::Effect effect = gap::Effect::kSensorQuantization;
+  Channel channel = Channel::kSpindleSpeed;
+  double size = 0.0;
+  double evidence = 0.0;
+};
+
+/// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them.
+std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors);
+
+/// Rows that are missing or repeat the one before; repeated samples are taken out of `signals`.
+std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors);
+
+}  // namespace morepro::host

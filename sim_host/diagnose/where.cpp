@@ -1,0 +1,188 @@
+#include "sim_host/diagnose/where.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim_host/diagnose/window_rows.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr std::size_t kTimeCells = 8;
+// Rows of half overlapping sin^4 windows correlate: so much less are they worth.
+constexpr double kOverlap = 0.85;
+
+/// Mean of a recorded signal over a window.
+class WindowMean {
+ public:
+  explicit WindowMean(const RecordingSignals& signals) : signals_(signals) {}
+  double operator()(Channel channel, std::size_t first) const {
+    const auto& column = signals_.value[index_of(channel)];
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = first; i < std::min(first + kWindowLength, column.size()); i += 8) {
+      if (!(column[i] == column[i])) continue;
+      sum += static_cast<double>(column[i]);
+      count += 1.0;
+    }
+    return count > 0.0 ? sum / count : 0.0;
+  }
+
+ private:
+  const RecordingSignals& signals_;
+};
+
+double p_value_of(double ratio, double rows) {
+  return rows > 0.0 ? 0.5 * std::erfc((ratio - 1.0) * std::sqrt(rows * kOverlap / 2.0) / std::sqrt(2.0)) : 1.0;
+}
+
+struct Powers {
+  const std::vector<WindowPower>& before;
+  const std::vector<WindowPower>& after;
+};
+
+template <class Chosen>
+GapCell cell_of(std::string_view by, double from, double to, const Powers& powers, Chosen chosen) {
+  double before = 0.0;
+  double after = 0.0;
+  double rows = 0.0;
+  for (std::size_t i = 0; i < std::min(powers.before.size(), powers.after.size()); ++i) {
+    for (std::size_t band = 0; band < kBands; ++band) {
+      if (!chosen(i, band)) continue;
+      before += rows_of_band(band) * powers.before[i].power[band];
+      after += rows_of_band(band) * powers.after[i].power[band];
+      rows += rows_of_band(band);
+    }
+  }
+  const double ratio = after > 0.0 ? before / after : 1.0;
+  return {by, from, to, ratio, p_value_of(ratio, rows)};
+}
+
+void add_range_cells(std::string_view by, const std::vector<double>& value, const Powers& powers,
+                     std::vector<GapCell>& cells) {
+  constexpr std::size_t kRanges = 3;
+  std::vector<double> sorted = value;
+  std::sort(sorted.begin(), sorted.end());
+  if (sorted.empty() || !(sorted.back() > sorted.front())) return;
+  for (std::size_t r = 0; r < kRanges; ++r) {
+    const double from = sorted[r * (sorted.size() - 1) / kRanges];
+    const double to = sorted[(r + 1) * (sorted.size() - 1) / kRanges];
+    const bool is_last = r + 1 == kRanges;
+    cells.push_back(cell_of(by, from, to, powers, [&](std::size_t i, std::size_t) {
+      return value[i] >= from && (value[i] < to || (is_last && value[i] <= to));
+    }));
+  }
+}
+
+void add_side_cells(std::string_view by, const std::vector<double>& value, const Powers& powers, double least,
+                    std::vector<GapCell>& cells, double low, double high) {
+  const bool has_low = std::any_of(value.begin(), value.end(), [least](double v) { return v <= least; });
+  const bool has_high = std::any_of(value.begin(), value.end(), [least](double v) { return v > least; });
+  if (!has_low || !has_high) return;
+  cells.push_back(cell_of(by, low, low, powers, [&](std::size_t i, std::size_t) { return value[i] <= least; }));
+  cells.push_back(cell_of(by, high, high, powers, [&](std::size_t i, std::size_t) { return value[i] > least; }));
+}
+
+std::vector<GapCell> cells_of(Axis axis, const RecordingSignals& signals, const Powers& powers) {
+  std::vector<GapCell> cells;
+  const std::size_t windows = std::min(powers.before.size(), powers.after.size());
+  const WindowMean mean(signals);
+  const auto means = [&](Channel channel) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < windows; ++i) values.push_back(mean(channel, powers.before[i].first));
+    return values;
+  };
+  if (signals.has(Channel::kContact)) add_side_cells("contact", means(Channel::kContact), powers, 0.5, cells, 0, 1);
+  const Channel speed = axis == Axis::kSpindle ? Channel::kSpindleSpeed : Channel::kFeedSpeed;
+  if (signals.has(speed)) {
+    std::vector<double> values = means(speed);
+    add_side_cells("direction", values, powers, 0.0, cells, -1, 1);
+    for (double& value : values) value = std::fabs(value);
+    add_range_cells("speed", values, powers, cells);
+  }
+  const Channel heat = axis == Axis::kSpindle && signals.has(Channel::kWindingTemperature)
+                           ? Channel::kWindingTemperature
+                           : Channel::kToolTemperature;
+  if (signals.has(heat)) add_range_cells("temperature", means(heat), powers, cells);
+  const double resolution_hz = signals.rate_hz / static_cast<double>(kWindowLength);
+  for (std::size_t band = 0; band < kBands; ++band) {
+    const double centre = kBandPeriods[band] * resolution_hz;
+    cells.push_back(cell_of("frequency", std::max(centre - 1.5 * resolution_hz, 0.0), centre + 1.5 * resolution_hz,
+                            powers, [band](std::size_t, std::size_t b) { return b == band; }));
+  }
+  for (std::size_t t = 0; t < kTimeCells && windows >= kTimeCells; ++t) {
+    const std::size_t from = t * windows / kTimeCells;
+    const std::size_t to = (t + 1) * windows / kTimeCells;
+    cells.push_back(cell_of("time", signals.time_s(powers.before[from].first), signals.time_s(powers.before[to - 1].first + kWindowLength),
+                            powers, [from, to](std::size_t i, std::size_t) { return i >= from && i < to; }));
+  }
+  return cells;
+}
+
+double mean_power(const std::vector<WindowPower>& windows) {
+  double sum = 0.0;
+  double rows = 0.0;
+  for (const WindowPower& window : windows)
+    for (std::size_t band = 0; band < kBands; ++band) {
+      sum += rows_of_band(band) * window.power[band];
+      rows += rows_of_band(band);
+    }
+  return rows > 0.0 ? sum / rows : 1.0;
+}
+
+BalanceResult balance_of(const BalanceRows& rows, const AxisDiagnosis& diagnosis) {
+  BalanceResult result{.balance = rows.balance};
+  result.is_evaluated = !rows.after.empty();
+  if (!result.is_evaluated) {
+    result.reason = "the recording is too short or has too many holes";
+    return result;
+  }
+  result.residual_ratio = mean_power(rows.before) / mean_power(rows.after);
+  result.cells = cells_of(diagnosis.fit.axis(), diagnosis.fit.signals(), {rows.before, rows.after});
+  return result;
+}
+
+}  // namespace
+
+std::vector<BalanceResult> balances_of(const AxisDiagnosis& diagnosis, const std::vector<BalanceRows>& rows) {
+  std::vector<BalanceResult> results;
+  for (const BalanceRows& balance : rows) results.push_back(balance_of(balance, diagnosis));
+  return results;
+}
+
+std::optional<double> onset_of(const AxisDiagnosis& diagnosis, const gap::AppliedEffect& effect) {
+  AxisFit without = diagnosis.fit;
+  auto& effects = without.model().effects;
+  std::erase_if(effects, [&effect](const gap::AppliedEffect& e) { return e.form.effect == effect.form.effect; });
+  const GapStatistics statistics = without.collect_with(std::array{effect.form});
+  const Eigen::MatrixXd total = statistics.total();
+  if (total.size() == 0) return std::nullopt;
+  const Eigen::Index width = total.cols();
+  const auto parameters = static_cast<Eigen::Index>(parameter_count(without.axis()));
+  const auto blocks = statistics.block.size();
+  // Deviance of a constant size from each block on; before it the effect is not there.
+  std::vector<double> gain(blocks + 1, 0.0);
+  Eigen::MatrixXd tail = Eigen::MatrixXd::Zero(width, width);
+  for (std::size_t b = blocks; b-- > 0;) {
+    tail += Eigen::MatrixXd(statistics.block[b].selfadjointView<Eigen::Lower>());
+    // The parameters see the whole recording, the effect only its tail.
+    Eigen::MatrixXd split = total;
+    for (Eigen::Index part = 0; part < effect.form.parts; ++part) {
+      const Eigen::Index column = parameters + part;
+      split.col(column) = tail.col(column);
+      split.row(column) = tail.row(column);
+    }
+    std::vector<Eigen::Index> active(static_cast<std::size_t>(width - 1));
+    for (std::size_t i = 0; i < active.size(); ++i) active[i] = static_cast<Eigen::Index>(i);
+    gain[b] = split(width - 1, width - 1) - fit(split, active, without.precision(width), without.target(width)).rss;
+  }
+  const auto best = std::max_element(gain.begin(), gain.end());
+  const auto at = static_cast<std::size_t>(best - gain.begin());
+  const double unit = total(width - 1, width - 1) / statistics.total_rows();
+  constexpr double kSurelyLater = 30.0;
+  if (at == 0 || !(*best - gain[0] > std::max(kSurelyLater * unit, 0.05 * *best))) return std::nullopt;
+  return static_cast<double>(at) * statistics.block_s;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,78 @@
+#include "sim_host/diagnose/whitening.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace morepro::host {
+namespace {
+
+constexpr std::size_t kFewest = 400;  // for nine coefficients and two scales
+constexpr float kOutlier = 6.0F;
+constexpr double kNegligible = 0.02;  // of a memory: costs more than it whitens
+
+double scale_of(std::span<const float> normalised, const std::vector<bool>& in_contact, bool contact) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < normalised.size(); ++i) {
+    if (in_contact[i] != contact) continue;
+    sum += static_cast<double>(normalised[i]) * static_cast<double>(normalised[i]);
+    ++count;
+  }
+  return count < kFewest ? 0.0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+std::vector<float> scaled(std::span<const float> normalised, const std::vector<bool>& in_contact,
+                          const std::array<double, 2>& scale) {
+  std::vector<float> values(normalised.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = std::clamp(normalised[i] / static_cast<float>(scale[in_contact[i] ? 1 : 0]), -kOutlier,
+                           kOutlier);
+  return values;
+}
+
+std::vector<double> autocovariance(std::span<const float> values, std::size_t lags) {
+  std::vector<double> sums(lags + 1, 0.0);
+  for (std::size_t lag = 0; lag <= lags; ++lag) {
+    double sum = 0.0;
+    for (std::size_t i = lag; i < values.size(); ++i)
+      sum += static_cast<double>(values[i]) * static_cast<double>(values[i - lag]);
+    sums[lag] = sum / static_cast<double>(values.size());
+  }
+  return sums;
+}
+
+}  // namespace
+
+SensorWhitening whitening_of(std::span<const float> normalised, const std::vector<bool>& in_contact) {
+  constexpr auto& kLags = SensorWhitening::kLags;
+  constexpr auto kCount = static_cast<Eigen::Index>(kLags.size());
+  SensorWhitening whitening;
+  if (normalised.size() < kFewest) return whitening;
+  const double free = scale_of(normalised, in_contact, false);
+  const double contact = scale_of(normalised, in_contact, true);
+  const double known = free > 0.0 ? free : contact;
+  if (!(known > 0.0)) return whitening;
+  whitening.scale = {free > 0.0 ? free : known, contact > 0.0 ? contact : known};
+  const auto values = scaled(normalised, in_contact, whitening.scale);
+  const auto covariance = autocovariance(values, kLags.back());
+  Eigen::MatrixXd a(kCount, kCount);
+  Eigen::VectorXd b(kCount);
+  for (Eigen::Index i = 0; i < kCount; ++i) {
+    const std::size_t lag = kLags[static_cast<std::size_t>(i)];
+    b(i) = covariance[lag];
+    for (Eigen::Index j = 0; j < kCount; ++j) {
+      const std::size_t other = kLags[static_cast<std::size_t>(j)];
+      a(i, j) = covariance[lag > other ? lag - other : other - lag];
+    }
+  }
+  a.diagonal().array() += 1.0e-3 * covariance[0];
+  Eigen::VectorXd memory = a.ldlt().solve(b);
+  memory = (memory.array().abs() < kNegligible).select(0.0, memory);
+  for (std::size_t i = 0; i < kLags.size(); ++i) whitening.memory[i] = memory(static_cast<Eigen::Index>(i));
+  const double explained = 2.0 * memory.dot(b) - memory.dot(a * memory);
+  whitening.left = std::max(1.0 - explained / covariance[0], 1.0e-6);
+  return whitening;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+#include "lib/kinematics/pose_search.hpp"
+#include "sim_host/kinematics/joint_limits.hpp"
+#include "sim_host/kinematics/trajectory.hpp"
+
+namespace morepro::host {
+namespace {
+
+using namespace kinematics;
+
+constexpr double kSearchTolerance = 1.0e-9;
+constexpr int kSearchStarts = 64;
+
+JointVector<double> built_in_joints(const ChainDescription& chain, const Waypoint<double>& pose) {
+  if (pose.angles_rad(1) != 0.0 || pose.angles_rad(2) != 0.0)
+    throw UserError("this machine cannot tilt its tool; pitch and yaw must be 0");
+  const auto joints = inverse_of(chain.geometry, RollPose<double>{pose.position_m, pose.angles_rad(0)});
+  if (const std::string outside = outside_limits(chain.table, joints); !outside.empty())
+    throw UserError(fmt::format("the pose is out of reach: {}", outside));
+  return joints;
+}
+
+/// A joint without limits is searched within a turn, or within 1 m.
+JointVector<double> random_start(const DhTable& table, std::mt19937& random) {
+  JointVector<double> start{};
+  for (std::size_t i = 0; i < table.count; ++i) {
+    const double size = table.joints[i].kind == JointKind::kRevolute ? 3.14 : 1.0;
+    const double low = std::max(table.joints[i].lowest, -size);
+    const double high = std::min(table.joints[i].highest, size);
+    const double share = static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    start[i] = low + (high - low) * share;
+  }
+  return start;
+}
+
+[[noreturn]] void refuse(const PoseSearchResult<double>& nearest) {
+  throw UserError(fmt::format(
+      "the pose is out of reach: the tool stays {:.3g} m and {:.3g} rad away; move it nearer, or give "
+      "the joints more room",
+      nearest.error.head<3>().norm(), nearest.error.tail<3>().norm()));
+}
+
+}  // namespace
+
+JointVector<double> joints_for(const ChainDescription& chain, TaskRows rows, const Waypoint<double>& pose) {
+  if (chain.is_built_in) return built_in_joints(chain, pose);
+  const PoseSearch<double> search(Chain<double>(chain.table), rows, kSearchTolerance);
+  PoseSearchResult<double> nearest = search.find(pose, {});
+  std::mt19937 random(1);
+  for (int start = 1; start < kSearchStarts && !nearest.is_reached; ++start) {
+    const auto found = search.find(pose, random_start(chain.table, random));
+    if (found.is_reached || found.error.norm() < nearest.error.norm()) nearest = found;
+  }
+  if (!nearest.is_reached) refuse(nearest);
+  return nearest.joints;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "sim_host/diagnose/spectral_lines.hpp"
+#include "sim_host/diagnose/white_innovations.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr std::size_t kLength = 8192;
+
+std::vector<float> white(unsigned seed, std::size_t length = kLength) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<float> normal;
+  std::vector<float> values(length);
+  for (float& value : values) value = normal(engine);
+  return values;
+}
+
+TEST(SpectralLines, FindsNoneInWhiteNoise) {
+  for (unsigned seed = 1; seed <= 50; ++seed) EXPECT_EQ(line_gain(white(seed)), 0.0) << "seed " << seed;
+}
+
+TEST(SpectralLines, TakesASinesWholePower) {
+  constexpr double kAmplitude = 0.25;
+  auto values = white(7);
+  for (std::size_t i = 0; i < kLength; ++i)
+    values[i] += static_cast<float>(kAmplitude * std::sin(2.0 * std::numbers::pi * 300.0 * static_cast<double>(i) / kLength + 0.4));
+  // n A^2 / 2; a noncentral chi-square of two degrees of freedom spreads by sqrt(4 + 4 x 256), four times that.
+  const double expected = kLength * kAmplitude * kAmplitude / 2.0;
+  EXPECT_NEAR(line_gain(values), expected, 4.0 * std::sqrt(4.0 + 4.0 * expected));
+}
+
+TEST(SpectralLines, DoNotDependOnTheSequencesUnit) {
+  auto values = white(7);
+  for (std::size_t i = 0; i < kLength; ++i) values[i] += 0.3F * std::sin(0.2F * static_cast<float>(i));
+  auto scaled = values;
+  for (float& value : scaled) value *= 0.5F;
+  EXPECT_GT(line_gain(values), 100.0);
+  EXPECT_NEAR(line_gain(scaled), line_gain(values), 1.0e-3 * line_gain(values));
+}
+
+TEST(SpectralLines, AreNotLookedForInAFewSamples) {
+  std::vector<float> values(255);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(0.5F * static_cast<float>(i));
+  EXPECT_EQ(line_gain(values), 0.0);
+}
+
+/// Noise of memory 0.8 and unit variance, three times as large in the air and five times in contact, which
+/// changes every 1000 samples.
+GapStatistics remembering(std::size_t length) {
+  GapStatistics statistics;
+  const auto drawn = white(11, length);
+  float state = 0.0F;
+  for (std::size_t i = 0; i < length; ++i) {
+    state = 0.8F * state + 0.6F * drawn[i];
+    const bool contact = i / 1000 % 2 == 1;
+    statistics.normalised[0].push_back((contact ? 5.0F : 3.0F) * state);
+    statistics.in_contact[0].push_back(contact);
+  }
+  return statistics;
+}
+
+double correlation(const std::vector<float>& values, std::size_t lag) {
+  double sum = 0.0;
+  for (std::size_t i = lag; i < values.size(); ++i)
+    sum += static_cast<double>(values[i]) * static_cast<double>(values[i - lag]);
+  return sum / static_cast<double>(values.size());
+}
+
+TEST(Whitening, FindsTheScalesInTheAirAndInContact) {
+  const auto statistics = remembering(100000);
+  const SensorWhitening white = whitening_of(statistics)[0];
+  // Memory 0.8 leaves 50000 (1 - 0.64) / (1 + 0.64) = 11000 independent squares: five standard errors of the scale.
+  EXPECT_NEAR(white.scale[0], 3.0, 3.0 * 5.0 / std::sqrt(2.0 * 11000.0));
+  EXPECT_NEAR(white.scale[1], 5.0, 5.0 * 5.0 / std::sqrt(2.0 * 11000.0));
+  EXPECT_NEAR(white.left, 1.0 - 0.64, 0.01);
+}
+
+TEST(Whitening, MakesRememberingNoiseWhite) {
+  const auto statistics = remembering(100000);
+  const auto values = white_innovations(statistics, 0, whitening_of(statistics)[0]);
+  EXPECT_NEAR(correlation(values, 0), 1.0, 0.03);
+  for (std::size_t lag = 1; lag <= 30; ++lag)
+    EXPECT_NEAR(correlation(values, lag), 0.0, 4.5 / std::sqrt(100000.0)) << "lag " << lag;
+}
+
+TEST(Whitening, LeavesWhiteNoiseAlone) {
+  GapStatistics statistics;
+  statistics.normalised[0] = white(5, 20000);
+  statistics.in_contact[0].assign(20000, false);
+  const SensorWhitening found = whitening_of(statistics)[0];
+  for (const double memory : found.memory) EXPECT_NEAR(memory, 0.0, 4.5 / std::sqrt(20000.0));
+  EXPECT_EQ(found.scale[0], found.scale[1]);
+}
+
+TEST(Whitening, IsNotEstimatedFromAFewSamples) {
+  const auto statistics = remembering(399);
+  EXPECT_EQ(whitening_of(statistics)[0].scale, (std::array{1.0, 1.0}));
+  EXPECT_EQ(whitening_of(statistics)[0].left, 1.0);
+}
+
+TEST(Whitening, DoesNotTakeItsMemoryFromAFewOutliers) {
+  auto statistics = remembering(100000);
+  for (std::size_t i = 500; i < 100000; i += 10000) statistics.normalised[0][i] = 2000.0F;
+  const auto clean = whitening_of(remembering(100000))[0].memory;
+  for (std::size_t j = 0; j < clean.size(); ++j) EXPECT_TRUE(std::isfinite(whitening_of(statistics)[0].memory[j]));
+  EXPECT_GT(whitening_of(statistics)[0].memory[0], 0.5 * clean[0]);
+}
+
+}  // namespace
+}  // namespace morepro::host

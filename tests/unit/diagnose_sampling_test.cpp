@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include "sim_host/diagnose/sampling_checks.hpp"
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::host {
+namespace {
+
+using diagnose_test::effect;
+using diagnose_test::record;
+using diagnose_test::Run;
+using gap::Effect;
+
+Run short_run(std::vector<gap::AppliedEffect> effects) { return {.effects = std::move(effects), .duration_s = 1.0}; }
+
+TEST(SamplingChecks, FindNothingInAHealthyRecording) {
+  RecordingSignals signals = record(short_run({}));
+  Sensors sensors = reference_sensors();
+  EXPECT_TRUE(find_quantization(signals, sensors).empty());
+  EXPECT_FALSE(find_dropout(signals, sensors).has_value());
+}
+
+TEST(SamplingChecks, FindTheStepOfEveryCoarseSensor) {
+  RecordingSignals signals = record(short_run({effect(Effect::kSensorQuantization, 4.0)}));
+  Sensors sensors = reference_sensors();
+  const auto faults = find_quantization(signals, sensors);
+  ASSERT_EQ(faults.size(), 3U);
+  for (const SamplingFault& fault : faults) {
+    EXPECT_NEAR(fault.size, 4.0, 0.01);
+    EXPECT_NEAR(sensors[fault.channel].lsb, 4.0 * sensors[fault.channel].noise, 0.01 * sensors[fault.channel].lsb);
+  }
+}
+
+TEST(SamplingChecks, TakeAStepForGrantedThatTheMachineFileStates) {
+  MonitorConfiguration configuration = reference_configuration();
+  configuration.sensors[Channel::kSpindleSpeed].lsb = 4.0;
+  Run run = short_run({});
+  run.configuration = configuration;
+  const RecordingSignals signals = record(run);
+  EXPECT_TRUE(find_quantization(signals, configuration.sensors).empty());
+  Sensors without = reference_sensors();
+  ASSERT_EQ(find_quantization(signals, without).size(), 1U);
+  EXPECT_NEAR(without[Channel::kSpindleSpeed].lsb, 4.0, 1.0e-3);
+}
+
+TEST(SamplingChecks, CountTheRowsThatAreMissing) {
+  RecordingSignals signals = record(short_run({effect(Effect::kSampleDropout, 0.1)}));
+  const auto fault = find_dropout(signals, reference_sensors());
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_EQ(fault->effect, Effect::kSampleDropout);
+  EXPECT_NEAR(fault->size, static_cast<double>(signals.missing_rows) / static_cast<double>(signals.rows), 1.0e-9);
+}
+
+TEST(SamplingChecks, TakeRepeatedRowsOutOfTheRecording) {
+  RecordingSignals signals = record(short_run({}));
+  for (std::size_t row = 50; row < signals.rows; row += 50)
+    for (auto& column : signals.value)
+      if (!column.empty()) column[row] = column[row - 1];
+  const auto fault = find_dropout(signals, reference_sensors());
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_NEAR(fault->size, 1.0 / 50.0, 0.001);
+  const auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
+  EXPECT_TRUE(std::isnan(speed[50]) && std::isnan(speed[9950]));
+  EXPECT_FALSE(std::isnan(speed[49]) || std::isnan(speed[51]));
+}
+
+TEST(SamplingChecks, DoNotTakeOneSensorThatStandsStillForALostRow) {
+  RecordingSignals signals = record(short_run({}));
+  auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
+  std::fill(speed.begin() + 2000, speed.begin() + 4000, speed[2000]);
+  EXPECT_FALSE(find_dropout(signals, reference_sensors()).has_value());
+}
+
+TEST(Thinned, KeepsSamplesAndAveragesInputs) {
+  RecordingSignals signals;
+  signals.rate_hz = 1000.0;
+  signals.rows = 7;
+  signals.recorded = static_cast<std::uint16_t>(bit_of(Channel::kFeedForce) | bit_of(Channel::kFeedPosition));
+  signals.value[index_of(Channel::kFeedForce)] = {1, 2, 6, 4, 5, 9, 100};
+  signals.value[index_of(Channel::kFeedPosition)] = {1, 2, 3, 4, 5, 6, 7};
+  const RecordingSignals thin = thinned(signals, 3);
+  EXPECT_EQ(thin.rows, 2U);
+  EXPECT_NEAR(thin.rate_hz, 1000.0 / 3.0, 1.0e-9);
+  EXPECT_EQ(thin.value[index_of(Channel::kFeedForce)], (std::vector<float>{3, 6}));
+  EXPECT_EQ(thin.value[index_of(Channel::kFeedPosition)], (std::vector<float>{1, 4}));
+  EXPECT_TRUE(thin.has(Channel::kFeedPosition));
+  EXPECT_FALSE(thin.has(Channel::kFeedSpeed));
+}
+
+}  // namespace
+}  // namespace morepro::host
