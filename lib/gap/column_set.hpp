@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "lib/gap/applied_effect.hpp"
+#include "lib/gap/dry_friction.hpp"
 #include "lib/gap/effect_term.hpp"
 
 namespace morepro::gap {
@@ -26,7 +27,12 @@ class ColumnSet {
     return true;
   }
   bool apply(const AppliedEffect& effect) {
-    if (applied_ == kMostApplied) return false;
+    if (applied_ + frictions_ == kMostApplied) return false;
+    if (is_dry_friction(effect.form.effect)) {
+      friction_[frictions_++] = {effect.form, static_cast<Real>(effect.coefficient[0]),
+                                 static_cast<Real>(effect.onset_s)};
+      return true;
+    }
     applied_is_sensor_[applied_] = is_in_sensor(effect.form.effect);
     applied_term_[applied_++] = AppliedTerm<Real, kDelaySteps>(effect, scales_, step_s_);
     return true;
@@ -34,12 +40,23 @@ class ColumnSet {
   [[nodiscard]] std::size_t size() const { return terms_; }
   [[nodiscard]] const EffectScales<Real>& scales() const { return scales_; }
 
-  /// Sum of the effects in the model: those of the sensors, or the others.
+  /// Sum of the effects in the model but for dry friction: those of the sensors, or the others.
   Contribution<Real> applied(const EffectSignals<Real>& signals, bool in_sensor) {
     Contribution<Real> sum;
     for (std::size_t i = 0; i < applied_; ++i)
       if (applied_is_sensor_[i] == in_sensor) applied_term_[i].step(signals, sum);
     return sum;
+  }
+
+  /// A state after the dry friction of the model. `yield`: by how much a load of one changes it meanwhile.
+  FrictionStep<Real> rub(BrakedState state, Real value, Real yield, Real time_s) const {
+    FrictionStep<Real> all{value, Real(1)};
+    for (std::size_t i = 0; i < frictions_; ++i) {
+      if (friction_[i].state() != state || time_s < friction_[i].onset_s) continue;
+      const FrictionStep<Real> one = friction_[i].step(all.value, yield, scales_);
+      all = {one.value, all.slope * one.slope};
+    }
+    return all;
   }
 
   /// visit(index, contribution) for every term: what it adds where it is of that sort, nothing where it is not.
@@ -57,8 +74,10 @@ class ColumnSet {
   std::array<EffectTerm<Real, kDelaySteps>, kMostTerms> term_{};
   std::array<AppliedTerm<Real, kDelaySteps>, kMostApplied> applied_term_{};
   std::array<bool, kMostApplied> applied_is_sensor_{};
+  std::array<DryFriction<Real>, kMostApplied> friction_{};
   std::size_t terms_ = 0;
   std::size_t applied_ = 0;
+  std::size_t frictions_ = 0;
 };
 
 }  // namespace morepro::gap

@@ -28,7 +28,9 @@ Real harmonic(Real angle_rad, int part) {
   return part % 2 == 0 ? math::sin(angle) : math::cos(angle);
 }
 
-inline constexpr float kSmoothShare = 0.002F;  ///< of the reference speed: where friction changes its side
+// Of the reference speed: where friction changes its side.
+inline constexpr float kSmoothShare = 0.002F;
+inline constexpr float kFeedSmoothShare = 0.01F;
 
 template <class Real>
 Real spindle_side(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
@@ -118,7 +120,7 @@ Real force(const EffectForm& form, int part, const EffectSignals<Real>& s, const
     case Effect::kFeedViscousFriction:
       return -v;
     case Effect::kFeedStribeckFriction:  // shape: share of the reference speed
-      return -breakaway(v, Real(0.01) * k.feed_speed_m_s, shape * k.feed_speed_m_s);
+      return -breakaway(v, static_cast<Real>(kFeedSmoothShare) * k.feed_speed_m_s, shape * k.feed_speed_m_s);
     case Effect::kFeedAsymmetricFriction:
       return -math::abs(v) / k.feed_speed_m_s;
     case Effect::kFeedForceOffset:

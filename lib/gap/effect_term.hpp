@@ -93,7 +93,7 @@ class EffectTerm {
   Real in_play(const EffectSignals<Real>& s) {
     if (!play_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape))) return Real(0);
     if (part_ == 0) return laws::free_force(s, scales_);
-    return laws::side(s.feed_speed_m_s, Real(0.01) * scales_.feed_speed_m_s);
+    return laws::side(s.feed_speed_m_s, static_cast<Real>(laws::kFeedSmoothShare) * scales_.feed_speed_m_s);
   }
 
   /// kind: number of the law; a shape is a time constant, through which the law is seen.

@@ -99,17 +99,28 @@ class FeedObserver {
   void predict(const GapFrame<Real>& frame) {
     const auto& k = terms_.scales();
     const Real x = observer_.mean(0);
-    const Real v = observer_.mean(1);
+    const Real half = Real(0.5);
+    // Half of the friction before the rest and half of it after (Strang): right to second order, and a state that
+    // sticks does so where it should.
+    const Real yield = half * integral_.a11 / k.mass_kg;
+    const auto before = terms_.rub(BrakedState::kFeedSpeed, observer_.mean(1), yield, frame.time_s);
+    const Real v = before.value;
     const Real cut_n = frame.input.contact * (contact_force_n_ * frame.input.engagement + contact_offset_n_);
     const Real rate = (frame.input.feed_force_n - k.feed_viscous_friction_ns_m * v - cut_n) / k.mass_kg;
     const Real dv = integral_.a11 * rate;
     const Real dx = integral_.a00 * v + integral_.a01 * rate;
-    const Real half = Real(0.5);
     EffectSignals<Real> middle = signals_of(frame, x + half * dx, v + half * dv);
     load_columns(middle, dv / step_s_, frame.input);
     added_ = terms_.applied(middle, false);
     const Real rate_added = added_.force_n / k.mass_kg;
-    observer_.predict(x + dx + integral_.a01 * rate_added, v + dv + integral_.a11 * rate_added, exp_, integral_, Real(0),
+    const Real free_m_s = v + dv + integral_.a11 * rate_added;
+    const auto after = terms_.rub(BrakedState::kFeedSpeed, free_m_s, yield, frame.time_s);
+    added_.force_n += half * (v - observer_.mean(1) + after.value - free_m_s) / yield;
+    const math::BasicMatrix2<Real> phi{exp_.a00, exp_.a01 * before.slope, after.slope * exp_.a10,
+                                       after.slope * exp_.a11 * before.slope};
+    const math::BasicMatrix2<Real> psi{integral_.a00, integral_.a01, after.slope * integral_.a10,
+                                       after.slope * integral_.a11};
+    observer_.predict(x + dx + integral_.a01 * rate_added, after.value, phi, psi, Real(0),
                       noise_.feed_step * noise_.feed_step, first_, second_);
   }
 

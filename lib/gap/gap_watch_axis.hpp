@@ -3,7 +3,10 @@
 #include <array>
 #include <cstddef>
 
+#include "lib/gap/effect_signals.hpp"
+#include "lib/gap/gap_frame.hpp"
 #include "lib/gap/gap_watch_evaluation.hpp"
+#include "lib/math/elementary.hpp"
 #include "lib/plant/machine_parameters.hpp"
 
 namespace morepro::gap {

@@ -98,29 +98,46 @@ class SpindleObserver {
   }
 
   void predict(const GapFrame<Real>& frame) {
-    const PlantState<Real> x{observer_.mean(0), Real(0), observer_.mean(1)};
+    const auto& k = terms_.scales();
+    const Real half = Real(0.5);
+    // Half of the friction before the rest and half of it after (Strang): right to second order, and a state that
+    // sticks does so where it should.
+    const Real yield_w = half * step_s_ / k.inertia_kgm2;
+    const Real yield_i = half * step_s_ / k.inductance_h;
+    const auto w0 = terms_.rub(BrakedState::kSpindleSpeed, observer_.mean(0), yield_w, frame.time_s);
+    const auto i0 = terms_.rub(BrakedState::kCurrent, observer_.mean(1), yield_i, frame.time_s);
+    const PlantState<Real> x{w0.value, Real(0), i0.value};
     const auto linear = plant_.linearise(x, frame.input);
     const auto step = math::exponential_step(linear.spindle_jacobian, step_s_);
     const auto& psi = step.integral;
     const auto& f = linear.derivative;
     const Real dw = psi.a00 * f.acceleration_rad_s2 + psi.a01 * f.current_rate_a_s;
     const Real di = psi.a10 * f.acceleration_rad_s2 + psi.a11 * f.current_rate_a_s;
-    const Real half = Real(0.5);
     EffectSignals<Real> middle =
         signals_of(frame, x.speed_rad_s + half * dw, x.current_a + half * di);
     middle.acceleration_rad_s2 = dw / step_s_;
     middle.current_rate_a_s = di / step_s_;
     middle.angle_rad += half * step_s_ * x.speed_rad_s;
     load_columns(middle);
-    const auto& k = terms_.scales();
     added_ = terms_.applied(middle, false);
     const Real rate_w = added_.torque_nm / k.inertia_kgm2;
     const Real rate_i = added_.voltage_v / k.inductance_h;
-    observer_.predict(x.speed_rad_s + dw + psi.a00 * rate_w + psi.a01 * rate_i,
-                      x.current_a + di + psi.a10 * rate_w + psi.a11 * rate_i, step.exp, psi,
+    const Real free_w = x.speed_rad_s + dw + psi.a00 * rate_w + psi.a01 * rate_i;
+    const Real free_i = x.current_a + di + psi.a10 * rate_w + psi.a11 * rate_i;
+    const auto w1 = terms_.rub(BrakedState::kSpindleSpeed, free_w, yield_w, frame.time_s);
+    const auto i1 = terms_.rub(BrakedState::kCurrent, free_i, yield_i, frame.time_s);
+    added_.torque_nm += half * (w0.value - observer_.mean(0) + w1.value - free_w) / yield_w;
+    added_.voltage_v += half * (i0.value - observer_.mean(1) + i1.value - free_i) / yield_i;
+    const math::BasicMatrix2<Real> first{step.exp.a00 * w0.slope, step.exp.a01 * i0.slope, step.exp.a10 * w0.slope,
+                                         step.exp.a11 * i0.slope};
+    observer_.predict(w1.value, i1.value, braked(first, w1.slope, i1.slope), braked(psi, w1.slope, i1.slope),
                       noise_.speed_step * noise_.speed_step, noise_.current_step * noise_.current_step,
                       first_, second_);
     angle_rad_ += step_s_ * (x.speed_rad_s + half * dw);
+  }
+
+  static math::BasicMatrix2<Real> braked(const math::BasicMatrix2<Real>& m, Real speed_slope, Real current_slope) {
+    return {speed_slope * m.a00, speed_slope * m.a01, current_slope * m.a10, current_slope * m.a11};
   }
 
   void load_columns(const EffectSignals<Real>& s) {

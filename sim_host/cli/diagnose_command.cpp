@@ -69,6 +69,7 @@ void run(const DiagnoseArguments& arguments) {
   MachineDescription with_effects;
   DiagnosisResult result = diagnose(std::move(signals), machine, options, with_effects);
   result.file = recording.info().file;
+  for (const std::string& notice : result.notices) warn(notice);
   if (json) json->write(diagnosis_json(result));
   if (applied) applied->write(machine_file_text(with_effects));
   if (arguments.json != "-" && arguments.apply != "-") fmt::print("{}", diagnosis_text(result));

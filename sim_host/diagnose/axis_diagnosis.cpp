@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/gap/dry_friction.hpp"
 #include "sim_host/diagnose/candidate_forms.hpp"
 
 namespace morepro::host {
@@ -13,13 +14,22 @@ namespace {
 constexpr double kNearlyAsGood = 0.6;
 constexpr std::size_t kMostRivals = 3;
 constexpr int kDuelRounds = 2;  // what a settled model needs to settle with one effect more or less
-constexpr double kLeastShare = 0.005;  // of the best effect's evidence
+constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
+constexpr double kSharper = 2.0;     // deviance that another shape has to gain
+constexpr double kLeastShare = 0.01;  // of the best effect's evidence
 
-gap::AppliedEffect applied_of(const Candidate& candidate) {
+/// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a delay has
+/// no such beginning; it starts with the size that was found.
+gap::AppliedEffect beginning_of(const Candidate& candidate) {
   gap::AppliedEffect effect{.form = candidate.form, .coefficient = {}};
-  std::copy(candidate.coefficient.begin(), candidate.coefficient.end(), effect.coefficient.begin());
   if (gap::size_is_shape(effect.form.effect) && effect.form.parts == 1) effect.coefficient[0] = 1.0;
   return effect;
+}
+
+/// Where a noisy speed changes its sign all the time, the width in which friction does so looks too wide.
+constexpr bool has_blurred_shape(gap::Effect effect) {
+  return gap::is_dry_friction(effect) && effect != gap::Effect::kSpindleStribeckFriction &&
+         effect != gap::Effect::kFeedStribeckFriction;
 }
 
 /// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the recording
@@ -84,8 +94,9 @@ class Search {
       }
       rival = refined(fit_, rival);
       AxisFit trial = fit_;
-      trial.model().effects.push_back(applied_of(rival));
+      trial.model().effects.push_back(beginning_of(rival));
       trial.settle(kDuelRounds);
+      if (has_blurred_shape(rival.form.effect)) sharpen(trial);
       rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, rival);
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
       rival.form = trial.model().effects.back().form;
@@ -96,6 +107,25 @@ class Search {
     put_plain_first(ranked, trials);
     const AxisFit* winner = fit_of(trials, ranked.front());
     return winner != nullptr ? *winner : fit_;
+  }
+
+  /// The shape of the newest effect, once it acts in the model: before, the sensors' noise blurs it.
+  static void sharpen(AxisFit& trial) {
+    const float widest = trial.model().effects.back().form.shape;
+    bool has_changed = false;
+    for (const float factor : {0.2F, 0.4F, 1.7F, 0.7F}) {
+      for (;;) {
+        AxisFit other = trial;
+        float& shape = other.model().effects.back().form.shape;
+        shape *= factor;
+        if (shape < kNarrowest * widest || shape > widest) break;
+        other.refit();
+        if (!(other.unlikeliness() < trial.unlikeliness() - kSharper)) break;
+        trial = std::move(other);
+        has_changed = true;
+      }
+    }
+    if (has_changed) trial.settle(1);
   }
 
   using Trial = std::pair<gap::Effect, AxisFit>;

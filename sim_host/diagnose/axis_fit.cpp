@@ -121,6 +121,19 @@ void AxisFit::take_sizes(const Eigen::VectorXd& step) {
   }
 }
 
+bool AxisFit::tells_engaged_load() const {
+  const auto& f = model_.machine.feed;
+  return standard_error_.size() > 3 && standard_error_(3) < kTold * std::fabs(f.contact_force_n);
+}
+
+void AxisFit::attribute_load() {
+  auto& f = model_.machine.feed;
+  if (axis_ != Axis::kFeed || tells_engaged_load() || !(f.engagement > 0.0)) return;
+  const double offset_n = datasheet_.machine.feed.contact_offset_n;
+  f.contact_force_n += (f.contact_offset_n - offset_n) / f.engagement;
+  f.contact_offset_n = offset_n;
+}
+
 void AxisFit::take(const Eigen::VectorXd& step) {
   const auto parameters = static_cast<Eigen::Index>(parameter_count(axis_));
   take_parameters(step.head(parameters));

@@ -41,6 +41,11 @@ class AxisFit {
   /// Combinations of parameters that the recording tells at least ten times better than a datasheet does.
   [[nodiscard]] int known_directions() const { return known_directions_; }
 
+  /// Is the part of the feed's contact load that goes with the engagement told apart from the rest?
+  [[nodiscard]] bool tells_engaged_load() const;
+  /// Where it is not, the offset is taken for the datasheet's, and the force for what remains of the load.
+  void attribute_load();
+
   [[nodiscard]] Axis axis() const { return axis_; }
   [[nodiscard]] const RecordingSignals& signals() const { return *signals_; }
   GapModel& model() { return model_; }
@@ -74,5 +79,7 @@ class AxisFit {
 /// How far a datasheet may be off, as a standard deviation; relative.
 inline constexpr double kDatasheetSpread = 0.5;
 inline constexpr double kBlockS = 0.25;
+/// A parameter that the recording leaves uncertain by this share was not found in it.
+inline constexpr double kTold = 0.1;
 
 }  // namespace morepro::host

@@ -54,8 +54,11 @@ class Diagnosis {
 
   DiagnosisResult run(MachineDescription& with_effects) {
     describe_recording();
-    thin_out();
     Sensors sensors = machine_.configuration.sensors;
+    for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
+      result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
+                                            kChannels[index_of(channel)].column));
+    thin_out();
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     datasheet_ = {.machine = machine_.configuration.machine,
@@ -93,9 +96,12 @@ class Diagnosis {
     options_.on_progress(axis == Axis::kSpindle ? "spindle" : "feed", 0.0);
     SearchLimits limits{.least_evidence = kFixedThreshold};
     AxisOutcome outcome{search_effects(axis, signals_, datasheet_, options_.excluded, limits), {}, {}};
+    if (outcome.diagnosis.fit.unlikeliness() == 0.0) return;  // no row could be used
     bootstrap(outcome);
     drop_what_chance_explains(outcome);
     outcome.leftover = leftover_of(outcome.diagnosis.fit, std::max(kFixedThreshold, outcome.chance.quantile99));
+    outcome.diagnosis.fit.attribute_load();
+    outcome.diagnosis.nominal.attribute_load();
     weigh_datasheet(outcome);
     outcomes_.push_back(std::move(outcome));
   }

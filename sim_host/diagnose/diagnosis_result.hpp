@@ -81,6 +81,7 @@ struct DiagnosisResult {
   std::size_t missing_rows = 0;
   Verdict verdict = Verdict::kInsufficientExcitation;
   std::string explanation;  ///< one sentence
+  std::vector<std::string> notices;
   std::vector<BalanceResult> where;
   std::vector<EffectResult> which;
   Shrinkage shrinkage;

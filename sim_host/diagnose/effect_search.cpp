@@ -80,6 +80,7 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
                                        const std::vector<gap::EffectForm>& forms) {
   const Eigen::MatrixXd moments = statistics.total();
   const Eigen::Index width = moments.cols();
+  if (width == 0) return {};
   const Remainder rest =
       remainder(moments, axis.parameter_columns(), axis.precision(width), axis.target(width));
   const double rows = statistics.total_rows();

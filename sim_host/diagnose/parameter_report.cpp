@@ -5,8 +5,8 @@
 namespace morepro::host {
 namespace {
 
-// A parameter that the recording leaves this uncertain was not found in it.
-constexpr double kTold = 0.1;
+constexpr const char* kWithOffset =
+    "only together with contact_offset_n, which is taken for the datasheet's; it needs different engagements";
 
 struct Named {
   const char* name;
@@ -34,15 +34,14 @@ std::vector<Named> named(const AxisFit& fit) {
   return {{"mass_kg", f0.mass_kg, f.mass_kg, "it needs accelerations of the axis"},
           {"viscous_friction_ns_m", f0.viscous_friction_ns_m, f.viscous_friction_ns_m,
            "it needs different feed speeds"},
-          {"contact_force_n", f0.contact_force_n + f0.contact_offset_n, f.contact_force_n + f.contact_offset_n,
-           "it needs contact on and off"}};
+          {"contact_force_n", f0.contact_force_n, f.contact_force_n, "it needs contact on and off"}};
 }
 
 double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
   if (static_cast<Eigen::Index>(index) >= fit.standard_error().size()) return 0.0;
-  const double error = fit.standard_error()(static_cast<Eigen::Index>(index));
   const bool is_load = fit.axis() == Axis::kFeed && index == 2;
-  return is_load ? error : error * std::fabs(refit);
+  if (is_load) return fit.standard_error()(fit.tells_engaged_load() ? 3 : 2);
+  return fit.standard_error()(static_cast<Eigen::Index>(index)) * std::fabs(refit);
 }
 
 }  // namespace
@@ -53,8 +52,9 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double error = standard_error_of(fit, i, all[i].refit);
     const bool is_told = error < kTold * std::fabs(all[i].refit) && all[i].refit != 0.0;
-    results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told,
-                       is_told ? "" : all[i].advice});
+    const bool is_load = fit.axis() == Axis::kFeed && i == 2;
+    const char* reason = !is_told ? all[i].advice : is_load && !fit.tells_engaged_load() ? kWithOffset : "";
+    results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told, reason});
   }
   return results;
 }

@@ -57,6 +57,25 @@ std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Se
   return faults;
 }
 
+std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sensors& sensors) {
+  std::vector<Channel> dead;
+  for (const Channel channel : kNoisyChannels) {
+    if (!signals.has(channel) || !(sensors[channel].noise > 0.5 * sensors[channel].lsb)) continue;
+    auto& column = signals.value[index_of(channel)];
+    float shown = std::numeric_limits<float>::quiet_NaN();
+    const bool is_alive = std::any_of(column.begin(), column.end(), [&shown](float value) {
+      const bool is_other = value == value && shown == shown && value != shown;
+      if (value == value) shown = value;
+      return is_other;
+    });
+    if (is_alive || signals.rows < 100) continue;
+    dead.push_back(channel);
+    column.clear();
+    signals.recorded = static_cast<std::uint16_t>(signals.recorded & ~bit_of(channel));
+  }
+  return dead;
+}
+
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors) {
   constexpr double kLeastFraction = 5.0e-4;
   std::size_t repeated = 0;

@@ -20,6 +20,9 @@ struct SamplingFault {
 /// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them.
 std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors);
 
+/// Takes out the sensors that show one value only, although they have noise: they are dead.
+std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sensors& sensors);
+
 /// Rows that are missing or repeat the one before; repeated samples are taken out of `signals`.
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors);
 

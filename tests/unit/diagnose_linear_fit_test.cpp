@@ -45,7 +45,7 @@ TEST(LinearFit, IsPulledToThePriorsTargetByItsPrecision) {
 }
 
 TEST(LinearFit, SurvivesColumnsThatDifferByManyPowersOfTen) {
-  const Eigen::Vector3d scale(1.0e-9, 1.0e7, 1.0);
+  const Eigen::VectorXd scale = Eigen::Vector3d(1.0e-9, 1.0e7, 1.0);
   const Eigen::MatrixXd moments = scale.asDiagonal() * three_points() * scale.asDiagonal();
   const LinearFit line = fit(moments, Indices{0, 1}, none(), none());
   EXPECT_NEAR(line.coefficient(0) * scale(0), 7.0 / 6.0, kTolerance);

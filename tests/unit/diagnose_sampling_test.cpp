@@ -8,10 +8,10 @@ namespace {
 
 using diagnose_test::effect;
 using diagnose_test::record;
-using diagnose_test::Run;
+using diagnose_test::SimulatedRun;
 using gap::Effect;
 
-Run short_run(std::vector<gap::AppliedEffect> effects) { return {.effects = std::move(effects), .duration_s = 1.0}; }
+SimulatedRun short_run(std::vector<gap::AppliedEffect> effects) { return {.effects = std::move(effects), .duration_s = 1.0}; }
 
 TEST(SamplingChecks, FindNothingInAHealthyRecording) {
   RecordingSignals signals = record(short_run({}));
@@ -34,7 +34,7 @@ TEST(SamplingChecks, FindTheStepOfEveryCoarseSensor) {
 TEST(SamplingChecks, TakeAStepForGrantedThatTheMachineFileStates) {
   MonitorConfiguration configuration = reference_configuration();
   configuration.sensors[Channel::kSpindleSpeed].lsb = 4.0;
-  Run run = short_run({});
+  SimulatedRun run = short_run({});
   run.configuration = configuration;
   const RecordingSignals signals = record(run);
   EXPECT_TRUE(find_quantization(signals, configuration.sensors).empty());

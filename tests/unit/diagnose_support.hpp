@@ -20,7 +20,7 @@ using host::MachineDescription;
 using host::RecordingSignals;
 
 /// One simulated recording of the reference machine.
-struct Run {
+struct SimulatedRun {
   std::vector<gap::AppliedEffect> effects{};
   double duration_s = 3.0;
   std::uint64_t seed = 3;
@@ -35,7 +35,7 @@ inline gap::AppliedEffect effect(Effect name, double size, double onset_s = 0.0)
   return one;
 }
 
-inline RecordingSignals record(const Run& run) {
+inline RecordingSignals record(const SimulatedRun& run) {
   host::SimulationOptions options{.profile = run.profile, .duration_s = run.duration_s, .seed = run.seed};
   options.effects = run.effects;
   host::Simulation simulation(run.configuration, options);

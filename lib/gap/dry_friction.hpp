@@ -1,0 +1,81 @@
+#pragma once
+#include "lib/gap/effect_form.hpp"
+#include "lib/gap/effect_laws.hpp"
+#include "lib/gap/effect_scales.hpp"
+#include "lib/math/elementary.hpp"
+
+namespace morepro::gap {
+
+/// A state after friction has acted on it for a step, and what is left of a small difference before it.
+template <class Real>
+struct FrictionStep {
+  Real value = 0;
+  Real slope = 1;
+};
+
+/// Exact solution of dx/dt = -a tanh(x / width) over a step of which `loss` = a h is the most that it takes away:
+/// sinh(x / width) decays exponentially. Where friction is steep against a step its state sticks; an explicit
+/// step swings instead. width > 0. A negative loss drives; that is an explicit step.
+template <class Real>
+FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
+  constexpr Real kFar = 20;  // beyond, sinh and cosh are the same
+  if (loss < Real(0)) return {value - loss * math::tanh(value / width), Real(1)};
+  const Real side = value < Real(0) ? Real(-1) : Real(1);
+  const Real start = math::abs(value) / width;
+  const Real end = start - loss / width;
+  if (end > kFar) return {side * width * end, Real(1)};
+  const Real grown = Real(0.5) * math::exp(end);
+  const Real near = math::exp_of_nonpositive(Real(-2) * start);
+  const Real sinh_end = grown * (Real(1) - near);
+  const Real cosh_end = math::sqrt(Real(1) + sinh_end * sinh_end);
+  return {side * width * math::log(sinh_end + cosh_end), grown * (Real(1) + near) / cosh_end};
+}
+
+/// Is it a friction that changes its side so steeply that its state may stick?
+constexpr bool is_dry_friction(Effect effect) {
+  return effect == Effect::kSpindleCoulombFriction || effect == Effect::kSpindleStribeckFriction ||
+         effect == Effect::kFeedCoulombFriction || effect == Effect::kFeedStribeckFriction ||
+         effect == Effect::kBrushVoltageDrop;
+}
+
+/// State that a dry friction brakes.
+enum class BrakedState { kSpindleSpeed, kCurrent, kFeedSpeed };
+
+/// A dry friction of known size in a model; the laws are those of `laws::torque`, `laws::force` and
+/// `laws::voltage`.
+template <class Real>
+struct DryFriction {
+  EffectForm form;
+  Real size = 0;  ///< N m, N or V
+  Real onset_s = 0;
+
+  [[nodiscard]] BrakedState state() const {
+    if (form.effect < Effect::kFeedCoulombFriction) return BrakedState::kSpindleSpeed;
+    return form.effect < Effect::kBrushVoltageDrop ? BrakedState::kFeedSpeed : BrakedState::kCurrent;
+  }
+
+  /// `yield`: by how much a load of one changes the state in this step.
+  [[nodiscard]] FrictionStep<Real> step(Real value, Real yield, const EffectScales<Real>& k) const {
+    const Real shape = static_cast<Real>(form.shape);
+    switch (form.effect) {
+      case Effect::kSpindleStribeckFriction:
+        return stribeck(value, static_cast<Real>(laws::kSmoothShare) * k.speed_rad_s, shape * k.speed_rad_s, yield);
+      case Effect::kFeedStribeckFriction:
+        return stribeck(value, static_cast<Real>(laws::kFeedSmoothShare) * k.feed_speed_m_s, shape * k.feed_speed_m_s, yield);
+      case Effect::kFeedCoulombFriction:
+        return friction_step(value, shape * k.feed_speed_m_s, size * yield);
+      case Effect::kBrushVoltageDrop:
+        return friction_step(value, shape * k.current_a, size * yield);
+      default:
+        return friction_step(value, shape * k.speed_rad_s, size * yield);
+    }
+  }
+
+ private:
+  FrictionStep<Real> stribeck(Real value, Real width, Real range, Real yield) const {
+    const Real ratio = value / range;
+    return friction_step(value, width, size * yield * math::exp_of_nonpositive(-ratio * ratio));
+  }
+};
+
+}  // namespace morepro::gap

@@ -1,0 +1,171 @@
+"""Where the model is wrong, which effect explains it, how far that shrinks the gap: as a user asks for it."""
+
+import csv
+import json
+import unittest
+
+from program import ProgramTest
+
+SPINDLE = ("armature_voltage_v", "spindle_speed_rad_s")
+
+
+class Diagnose(ProgramTest):
+    def simulate(self, *options, duration=6, profile="rich"):
+        self.must_do("simulate", "--profile", profile, "--duration", duration, "--seed", 5, *options, "--out", "run.csv")
+
+    def diagnose(self, *options, recording="run.csv"):
+        done = self.must_do("diagnose", recording, "--bootstrap", 20, "--json", "-", *options)
+        return json.loads(done.stdout)
+
+    def names(self, result):
+        return [effect["effect"] for effect in result["which"]]
+
+    def keep_columns(self, *names):
+        path = self.folder / "run.csv"
+        comments = [line for line in path.read_text().splitlines() if line.startswith("#")]
+        rows = list(csv.DictReader(line for line in path.read_text().splitlines() if not line.startswith("#")))
+        lines = comments + [",".join(("time_s", *names))]
+        lines += [",".join(row[name] for name in ("time_s", *names)) for row in rows]
+        self.write("part.csv", "\n".join(lines) + "\n")
+
+
+class Verdicts(Diagnose):
+    def test_a_machine_like_its_datasheet_has_no_gap(self):
+        self.simulate()
+        result = self.diagnose()
+        self.assertEqual(result["verdict"], "no_gap")
+        self.assertEqual(result["which"], [])
+        for balance in result["where"]:
+            self.assertFalse(balance["significant"])
+            self.assertAlmostEqual(balance["residual_ratio"], 1.0, delta=0.05)
+
+    def test_a_wrong_datasheet_is_a_parameter_error_and_is_corrected(self):
+        self.simulate("--datasheet-error", 0.2, "--machine-out", "wrong.toml")
+        result = self.diagnose("--machine", "wrong.toml")
+        self.assertEqual(result["verdict"], "parameter_error")
+        self.assertEqual(result["which"], [])
+        machine = json.loads(self.must_do("replay", "run.csv", "--json", "-").stdout)["parameters"]
+        true = {entry["name"]: entry["datasheet"] for entry in machine}
+        for entry in result["parameters"]:
+            if entry["identifiable"] and true.get(entry["name"]):
+                self.assertAlmostEqual(entry["refit"] / true[entry["name"]], 1.0, delta=0.01, msg=entry["name"])
+
+    def test_names_an_effect_its_place_its_size_and_what_it_is_worth(self):
+        self.simulate("--effect", "feed_force_offset=2", "--datasheet-error", 0.1, "--machine-out", "wrong.toml")
+        result = self.diagnose("--machine", "wrong.toml")
+        self.assertEqual(result["verdict"], "effect")
+        self.assertEqual(self.names(result), ["feed_force_offset"])
+        effect = result["which"][0]
+        self.assertEqual(effect["unit"], "N")
+        self.assertLess(abs(effect["magnitude"] - 2.0), max(0.1, 4.0 * effect["standard_error"]))
+        self.assertGreater(effect["confidence"], 0.9)
+        places = {balance["balance"]: balance for balance in result["where"]}
+        self.assertTrue(places["feed_force"]["significant"])
+        self.assertFalse(places["spindle_torque"]["significant"])
+        self.assertGreater(places["feed_force"]["residual_ratio"], places["feed_force"]["residual_ratio_after"])
+        self.assertGreater(result["shrinkage"]["share_closed"], 0.8)
+        low, high = result["shrinkage"]["ci90"]
+        self.assertLessEqual(low, result["shrinkage"]["share_closed"])
+        self.assertGreaterEqual(high, result["shrinkage"]["share_closed"])
+
+    def test_says_when_an_effect_set_in(self):
+        self.simulate("--effect", "current_bias=0.5,from=3")
+        result = self.diagnose()
+        self.assertEqual(self.names(result)[0], "current_bias")
+
+    def test_an_effect_out_of_the_catalogue_is_not_named(self):
+        self.simulate("--effect", "spindle_windage=1e-6")
+        self.assertEqual(self.names(self.diagnose()), ["spindle_windage"])
+        self.assertNotIn("spindle_windage", self.names(self.diagnose("--exclude", "spindle_windage")))
+
+    def test_lost_rows_are_named_with_their_share(self):
+        self.simulate("--effect", "sample_dropout=0.05")
+        result = self.diagnose()
+        found = {effect["effect"]: effect for effect in result["which"]}
+        self.assertAlmostEqual(found["sample_dropout"]["magnitude"], 0.05, delta=0.01)
+
+
+class HalfAMachine(Diagnose):
+    def test_a_feed_axis_alone(self):
+        self.simulate("--effect", "feed_coulomb_friction=6")
+        self.keep_columns("feed_force_n", "feed_speed_m_s", "contact")
+        result = self.diagnose(recording="part.csv")
+        self.assertIn("feed_coulomb_friction", result["which"][0]["alias_set"])
+        evaluated = {balance["balance"]: balance["evaluated"] for balance in result["where"]}
+        self.assertEqual(evaluated, {"feed_force": True, "spindle_torque": False, "armature_voltage": False})
+
+    def test_a_spindle_without_a_current_sensor(self):
+        self.simulate()
+        self.keep_columns(*SPINDLE, "contact", "chip_load_mm", "tool_temperature_degc")
+        self.assertEqual(self.diagnose(recording="part.csv")["which"], [])
+
+    def test_too_short_says_so(self):
+        self.simulate(duration=0.05)
+        result = self.diagnose()
+        self.assertEqual(result["verdict"], "insufficient_excitation")
+        self.assertEqual(result["which"], [])
+
+    def test_nothing_that_moves_tells_nothing(self):
+        rows = ["time_s,armature_voltage_v,spindle_speed_rad_s,armature_current_a"]
+        rows += [f"{k * 1e-4:.4f},0,0,0" for k in range(5000)]
+        self.write("run.csv", "\n".join(rows) + "\n")
+        self.assertEqual(self.diagnose("--machine", "reference")["verdict"], "insufficient_excitation")
+
+
+class Applied(Diagnose):
+    def test_the_machine_that_it_writes_explains_another_recording(self):
+        self.simulate("--effect", "feed_coulomb_friction=6", "--datasheet-error", 0.1, "--machine-out", "wrong.toml")
+        self.assertEqual(self.diagnose("--machine", "wrong.toml")["verdict"], "effect")
+        self.must_do("diagnose", "run.csv", "--machine", "wrong.toml", "--bootstrap", 20, "--apply", "applied.toml")
+        self.must_do("simulate", "--machine", "applied.toml", "--profile", "rich", "--duration", 1, "--out", "model.csv")
+        self.must_do("simulate", "--profile", "rich", "--duration", 6, "--seed", 77, "--effect",
+                     "feed_coulomb_friction=6", "--out", "second.csv")
+        second = self.diagnose("--machine", "applied.toml", recording="second.csv")
+        self.assertEqual(second["which"], [])
+        self.assertIn(second["verdict"], ("no_gap", "parameter_error"))
+
+
+class Contract(Diagnose):
+    def test_the_same_seed_gives_the_same_bytes(self):
+        self.simulate("--effect", "drive_lag=5e-4", duration=2)
+        first = self.must_do("diagnose", "run.csv", "--bootstrap", 20, "--json", "-").stdout
+        self.assertEqual(first, self.must_do("diagnose", "run.csv", "--bootstrap", 20, "--json", "-").stdout)
+
+    def test_json_has_the_keys_of_the_schema(self):
+        self.simulate("--effect", "feed_spring=500", duration=4)
+        result = self.diagnose()
+        self.assertEqual(result["schema"], "morepro.diagnosis/1")
+        self.assertEqual(set(result["recording"]), {"file", "rows", "rate_hz", "duration_s", "missing_rows"})
+        self.assertEqual(result["recording"]["rows"], 40000)
+        for balance in result["where"]:
+            self.assertLessEqual({"balance", "evaluated", "residual_ratio", "residual_ratio_after", "significant",
+                                  "cells", "onset_s"}, set(balance))
+        for effect in result["which"]:
+            self.assertLessEqual({"effect", "confidence", "magnitude", "unit", "standard_error", "evidence", "alias_set",
+                                  "separate_by"}, set(effect))
+            self.assertIn(effect["effect"], effect["alias_set"])
+            self.assertTrue(effect["separate_by"])
+        for models in result["shrinkage"]["one_step_nrmse"].values():
+            self.assertEqual(set(models), {"datasheet", "refit", "with_effect", "noise_floor"})
+        self.assertEqual(result["threshold"]["bootstrap_runs"], 20)
+
+    def test_a_person_can_read_it(self):
+        self.simulate("--effect", "feed_force_offset=2", duration=4)
+        text = self.must_do("diagnose", "run.csv", "--bootstrap", 20).stdout
+        for part in ("feed_force_offset", "N", "%"):
+            self.assertIn(part, text)
+
+    def test_mistakes_are_refused_and_nothing_is_written(self):
+        self.simulate(duration=0.2)
+        self.assertIn("did you mean 'drive_lag'?",
+                      self.must_refuse(2, "diagnose", "run.csv", "--exclude", "drive_lagg", "--json", "a.json"))
+        self.must_refuse(2, "diagnose", "run.csv", "--bootstrap", "-1")
+        self.must_refuse(2, "diagnose", "run.csv", "--json", "run.csv")
+        self.must_refuse(1, "diagnose", "absent.csv", "--json", "a.json")
+        self.write("text.csv", "time_s,armature_voltage_v\n0,1\n0.1,zwei\n")
+        self.must_refuse(1, "diagnose", "text.csv", "--json", "a.json")
+        self.assertEqual(self.files(), ["run.csv", "text.csv"])
+
+
+if __name__ == "__main__":
+    unittest.main()
