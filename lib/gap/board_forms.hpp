@@ -74,27 +74,6 @@ constexpr std::size_t terms_of(const std::array<BoardForm, kCount>& forms) {
   return sum;
 }
 
-/// Effects that can only act in one direction: friction brakes, a lag lags.
-constexpr bool must_be_positive(Effect effect) {
-  switch (effect) {
-    case Effect::kSpindleCoulombFriction:
-    case Effect::kSpindleStribeckFriction:
-    case Effect::kSpindleWindage:
-    case Effect::kFeedCoulombFriction:
-    case Effect::kFeedViscousFriction:
-    case Effect::kFeedStribeckFriction:
-    case Effect::kDriveLag:
-    case Effect::kFeedDriveLag:
-    case Effect::kBrushVoltageDrop:
-    case Effect::kSpindleSpeedDelay:
-    case Effect::kCurrentDelay:
-    case Effect::kFeedSpeedDelay:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// Where an effect acts, without the catalogue's texts.
 constexpr EffectGroup group_of(Effect effect) {
   if (effect < Effect::kFeedCoulombFriction) return EffectGroup::kSpindleTorque;

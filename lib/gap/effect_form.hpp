@@ -31,4 +31,30 @@ constexpr bool size_is_shape(Effect effect) {
   }
 }
 
+/// Can the effect act in one direction only? Friction brakes, a lag lags, a play is not negative.
+constexpr bool acts_one_way(Effect effect) {
+  switch (effect) {
+    case Effect::kSpindleCoulombFriction:
+    case Effect::kSpindleStribeckFriction:
+    case Effect::kSpindleWindage:
+    case Effect::kShaftCompliance:
+    case Effect::kFeedCoulombFriction:
+    case Effect::kFeedViscousFriction:
+    case Effect::kFeedStribeckFriction:
+    case Effect::kFeedPresliding:
+    case Effect::kFeedBacklash:
+    case Effect::kDriveLag:
+    case Effect::kFeedDriveLag:
+    case Effect::kBrushVoltageDrop:
+    case Effect::kSpindleSpeedDelay:
+    case Effect::kCurrentDelay:
+    case Effect::kFeedSpeedDelay:
+    case Effect::kSpindleSpeedBandwidth:
+    case Effect::kCurrentBandwidth:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace morepro::gap

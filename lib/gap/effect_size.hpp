@@ -87,4 +87,29 @@ inline double size_of(const AppliedEffect& one, const EffectScales<double>& scal
   return math::sqrt(power);
 }
 
+/// The same effect, stated for a machine with another reference point: widths are shares of it, and a load that
+/// grows with the speed is stated there.
+inline AppliedEffect restated(AppliedEffect one, const EffectScales<double>& from, const EffectScales<double>& to) {
+  const auto widen = [&one](double ratio) { one.form.shape *= static_cast<float>(ratio); };
+  switch (one.form.effect) {
+    case Effect::kSpindleCoulombFriction:
+    case Effect::kSpindleStribeckFriction:
+      widen(from.speed_rad_s / to.speed_rad_s);
+      break;
+    case Effect::kFeedCoulombFriction:
+    case Effect::kFeedStribeckFriction:
+      widen(from.feed_speed_m_s / to.feed_speed_m_s);
+      break;
+    case Effect::kBrushVoltageDrop:
+      widen(from.current_a / to.current_a);
+      break;
+    case Effect::kFeedAsymmetricFriction:
+      one.coefficient[0] *= to.feed_speed_m_s / from.feed_speed_m_s;
+      break;
+    default:
+      break;
+  }
+  return one;
+}
+
 }  // namespace morepro::gap

@@ -89,7 +89,7 @@ class GapWatchEvaluation {
   void judge_form(std::size_t i) {
     const BoardForm& form = forms_[i];
     const GroupGain<Real> group = gain_of(statistics_, column_, form.parts, kParameters);
-    const bool is_possible = !must_be_positive(form.effect) || group.coefficient > Real(0);
+    const bool is_possible = !acts_one_way(form.effect) || group.coefficient > Real(0);
     first_[i] = column_;
     column_ += form.parts;
     gain_[i] = group.gain;

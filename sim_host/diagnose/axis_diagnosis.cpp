@@ -14,6 +14,7 @@ namespace {
 constexpr double kNearlyAsGood = 0.6;
 constexpr std::size_t kMostRivals = 3;
 constexpr int kDuelRounds = 2;  // what a settled model needs to settle with one effect more or less
+constexpr std::size_t kMostEffects = 4;
 constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
 constexpr double kLeastShare = 0.01;  // of the best effect's evidence
@@ -50,25 +51,36 @@ bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b
 
 class Search {
  public:
-  Search(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded, const SearchLimits& limits)
-      : diagnosis_(diagnosis), fit_(diagnosis.fit), limits_(limits), left_out_(excluded.begin(), excluded.end()) {}
+  Search(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded)
+      : diagnosis_(diagnosis), fit_(diagnosis.fit), left_out_(excluded.begin(), excluded.end()) {}
 
   void run() {
     fit_.settle();
     diagnosis_.nominal = fit_;
-    while (diagnosis_.found.size() < limits_.most_effects && add_one()) {
+    diagnosis_.least_evidence = std::max(diagnosis_.least_evidence, kLeastShare * evidence_of_known());
+    while (diagnosis_.found.size() < kMostEffects && add_one()) {
     }
     prune();
   }
 
  private:
+  // Beside an effect that the machine file states another one has to be worth as much as beside one that was found.
+  double evidence_of_known() const {
+    if (fit_.model().known.empty()) return 0.0;
+    AxisFit without = fit_;
+    without.model().known.clear();
+    without.settle(kDuelRounds);
+    const double evidence = without.unlikeliness() - fit_.unlikeliness();
+    return std::isfinite(evidence) ? evidence : 0.0;
+  }
+
   bool add_one() {
     const auto forms = candidate_forms(fit_.axis(), fit_.signals(), fit_.model(), left_out_);
     auto ranked = rank_candidates(fit_, fit_.collect_with(forms), forms);
-    if (ranked.empty() || !(ranked.front().evidence >= limits_.least_evidence)) return false;
+    if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
-    if (!has_grown || !(ranked.front().evidence >= limits_.least_evidence)) return false;
+    if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     left_out_.push_back(ranked.front().form.effect);
     fit_ = std::move(winner);
     diagnosis_.found.push_back(
@@ -179,7 +191,7 @@ class Search {
       const auto less = [](const Finding& a, const Finding& b) { return a.evidence < b.evidence; };
       const auto weakest = std::min_element(diagnosis_.found.begin(), diagnosis_.found.end(), less);
       const auto strongest = std::max_element(diagnosis_.found.begin(), diagnosis_.found.end(), less);
-      if (weakest->evidence >= std::max(limits_.least_evidence, kLeastShare * strongest->evidence)) break;
+      if (weakest->evidence >= std::max(diagnosis_.least_evidence, kLeastShare * strongest->evidence)) break;
       fit_.model().effects.erase(fit_.model().effects.begin() + (weakest - diagnosis_.found.begin()));
       diagnosis_.found.erase(weakest);
       fit_.settle();
@@ -194,17 +206,16 @@ class Search {
 
   AxisDiagnosis& diagnosis_;
   AxisFit& fit_;
-  SearchLimits limits_;
   std::vector<gap::Effect> left_out_;
 };
 
 }  // namespace
 
 AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
-                             std::span<const gap::Effect> excluded, const SearchLimits& limits) {
+                             std::span<const gap::Effect> excluded, double least_evidence) {
   const AxisFit start(axis, signals, datasheet);
-  AxisDiagnosis diagnosis{.fit = start, .nominal = start, .found = {}};
-  Search(diagnosis, excluded, limits).run();
+  AxisDiagnosis diagnosis{.fit = start, .nominal = start, .least_evidence = least_evidence};
+  Search(diagnosis, excluded).run();
   return diagnosis;
 }
 

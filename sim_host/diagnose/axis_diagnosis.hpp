@@ -18,16 +18,12 @@ struct Finding {
 struct AxisDiagnosis {
   AxisFit fit;      ///< the model with the effects
   AxisFit nominal;  ///< the model with refitted parameters only
-  std::vector<Finding> found;
+  std::vector<Finding> found{};
+  double least_evidence = 0.0;  ///< that an effect needed to be looked at
 };
 
-struct SearchLimits {
-  double least_evidence = 40.0;
-  std::size_t most_effects = 4;
-};
-
-/// Looks for the effects of one axis, one after another, each with the parameters refitted.
+/// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.
 AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
-                             std::span<const gap::Effect> excluded, const SearchLimits& limits);
+                             std::span<const gap::Effect> excluded, double least_evidence);
 
 }  // namespace morepro::host

@@ -17,6 +17,7 @@
 #include "sim_host/diagnose/sampling_checks.hpp"
 #include "sim_host/diagnose/shrinkage.hpp"
 #include "sim_host/diagnose/where.hpp"
+#include "sim_host/simulate/operating_point.hpp"
 
 namespace morepro::host {
 namespace {
@@ -63,8 +64,9 @@ class Diagnosis {
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     datasheet_ = {.machine = machine_.configuration.machine,
                   .point = reference_point_for(machine_, signals_),
-                  .effects = {},
                   .noise = least_noise(sensors)};
+    for (const auto& effect : machine_.effects)
+      datasheet_.known.push_back(gap::restated(effect, file_scales(), recording_scales()));
     for (const Axis axis : {Axis::kSpindle, Axis::kFeed}) try_axis(axis);
     judge();
     rank();
@@ -74,6 +76,14 @@ class Diagnosis {
   }
 
  private:
+  // Sizes and widths are stated at the machine's reference point, which the file alone knows; where it knows none,
+  // the recording's own is better to search with.
+  gap::EffectScales<double> file_scales() const {
+    const MachineParameters& machine = machine_.configuration.machine;
+    return {machine, reference_point_of(machine)};
+  }
+  gap::EffectScales<double> recording_scales() const { return {machine_.configuration.machine, datasheet_.point}; }
+
   void describe_recording() {
     result_.rows = signals_.rows - signals_.missing_rows;
     result_.rate_hz = signals_.rate_hz;
@@ -94,12 +104,11 @@ class Diagnosis {
   void try_axis(Axis axis) {
     if (!is_evaluable(axis, signals_, machine_) || signals_.rows < kFewestRows) return;
     options_.on_progress(axis == Axis::kSpindle ? "spindle" : "feed", 0.0);
-    SearchLimits limits{.least_evidence = kFixedThreshold};
-    AxisOutcome outcome{search_effects(axis, signals_, datasheet_, options_.excluded, limits), {}, {}};
+    AxisOutcome outcome{search_effects(axis, signals_, datasheet_, options_.excluded, kFixedThreshold), {}, {}};
     if (outcome.diagnosis.fit.unlikeliness() == 0.0) return;  // no row could be used
     bootstrap(outcome);
     drop_what_chance_explains(outcome);
-    outcome.leftover = leftover_of(outcome.diagnosis.fit, std::max(kFixedThreshold, outcome.chance.quantile99));
+    outcome.leftover = leftover_of(outcome.diagnosis.fit, threshold_of(outcome));
     outcome.diagnosis.fit.attribute_load();
     outcome.diagnosis.nominal.attribute_load();
     weigh_datasheet(outcome);
@@ -116,9 +125,13 @@ class Diagnosis {
     });
   }
 
+  static double threshold_of(const AxisOutcome& outcome) {
+    return std::max(outcome.diagnosis.least_evidence, outcome.chance.quantile99);
+  }
+
   void drop_what_chance_explains(AxisOutcome& outcome) {
     auto& found = outcome.diagnosis.found;
-    const double threshold = std::max(kFixedThreshold, outcome.chance.quantile99);
+    const double threshold = threshold_of(outcome);
     const auto is_chance = [threshold](const Finding& f) { return !(f.evidence >= threshold); };
     if (std::none_of(found.begin(), found.end(), is_chance)) return;
     std::erase_if(found, is_chance);
@@ -154,7 +167,7 @@ class Diagnosis {
     bool has_excitation = false;
     for (const AxisOutcome& outcome : outcomes_) {
       result_.threshold_evidence =
-          std::max({result_.threshold_evidence, kFixedThreshold, outcome.chance.quantile99});
+          std::max(result_.threshold_evidence, threshold_of(outcome));
       result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
       named += named_deviance(outcome);
       unnamed += outcome.leftover.gain >= kLeastUnnamed ? outcome.leftover.gain : 0.0;
@@ -214,7 +227,7 @@ class Diagnosis {
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
     EffectResult effect{.applied = finding.effect, .effect = finding.effect.form.effect};
     const gap::EffectScales<double> scales(outcome.diagnosis.fit.model().machine, datasheet_.point);
-    effect.magnitude = gap::size_of(finding.effect, scales);
+    effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.evidence = finding.evidence;
     effect.standard_error = std::fabs(effect.magnitude) / std::sqrt(std::max(finding.evidence / outcome.chance.temperature, 1.0));
     const double best = finding.rivals.front().evidence;
@@ -296,7 +309,8 @@ class Diagnosis {
       const MachineParameters& fitted = outcome.diagnosis.fit.model().machine;
       if (outcome.diagnosis.fit.axis() == Axis::kSpindle) machine.configuration.machine.spindle = fitted.spindle;
       else machine.configuration.machine.feed = fitted.feed;
-      for (const auto& effect : outcome.diagnosis.fit.model().effects) machine.effects.push_back(effect);
+      for (const auto& effect : outcome.diagnosis.fit.model().effects)
+        machine.effects.push_back(gap::restated(effect, recording_scales(), file_scales()));
     }
     return machine;
   }

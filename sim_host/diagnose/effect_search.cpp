@@ -9,34 +9,14 @@ namespace {
 
 using gap::Effect;
 
-/// Effects that can only act in one direction: friction brakes, a lag lags.
-bool must_be_positive(Effect effect) {
-  switch (effect) {
-    case Effect::kSpindleCoulombFriction:
-    case Effect::kSpindleStribeckFriction:
-    case Effect::kSpindleWindage:
-    case Effect::kShaftCompliance:
-    case Effect::kFeedCoulombFriction:
-    case Effect::kFeedViscousFriction:
-    case Effect::kFeedStribeckFriction:
-    case Effect::kFeedPresliding:
-    case Effect::kFeedBacklash:
-    case Effect::kDriveLag:
-    case Effect::kFeedDriveLag:
-    case Effect::kBrushVoltageDrop:
-    case Effect::kSpindleSpeedDelay:
-    case Effect::kCurrentDelay:
-    case Effect::kFeedSpeedDelay:
-    case Effect::kSpindleSpeedBandwidth:
-    case Effect::kCurrentBandwidth:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool has_shape(const gap::EffectForm& form) {
   return form.shape > 0.0F && form.effect != Effect::kSpindleCogging;
+}
+
+/// Of an effect that the machine file states there may be less, too.
+bool is_known(const GapModel& model, Effect effect) {
+  return std::any_of(model.known.begin(), model.known.end(),
+                     [effect](const gap::AppliedEffect& one) { return one.form.effect == effect; });
 }
 
 double evidence_of(double rss, double gain, double rows, double freedom) {
@@ -95,7 +75,8 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
     Candidate candidate{form, column, evidence_of(rest.rss, gain, rows, freedom), {}};
     candidate.coefficient.assign(coefficient.data(), coefficient.data() + coefficient.size());
     column += form.parts;
-    if (must_be_positive(form.effect) && !(candidate.coefficient[0] > 0.0)) continue;
+    if (gap::acts_one_way(form.effect) && !(candidate.coefficient[0] > 0.0) && !is_known(axis.model(), form.effect))
+      continue;
     const auto place = best.find(form.effect);
     if (place == best.end()) best.emplace(form.effect, candidate);
     else if (candidate.evidence > place->second.evidence) place->second = candidate;

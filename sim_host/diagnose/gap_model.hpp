@@ -11,7 +11,8 @@ namespace morepro::host {
 struct GapModel {
   MachineParameters machine;
   gap::ReferencePoint point;
-  std::vector<gap::AppliedEffect> effects;
+  std::vector<gap::AppliedEffect> known{};    ///< of the machine file, as they stand there
+  std::vector<gap::AppliedEffect> effects{};  ///< found so far
   gap::GapNoise<double> noise;
 };
 

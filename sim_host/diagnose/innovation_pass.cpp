@@ -29,6 +29,7 @@ std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& 
   auto observer =
       std::make_unique<Observer>(model.machine, model.point, 1.0 / signals.rate_hz, model.noise);
   for (const gap::EffectForm& form : forms) observer->terms().add(form);
+  for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
   for (const gap::AppliedEffect& effect : model.effects) observer->terms().apply(effect);
   return observer;
 }

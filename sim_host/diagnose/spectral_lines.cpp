@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <unsupported/Eigen/FFT>
 
 namespace morepro::host {
@@ -24,9 +25,10 @@ double line_gain(std::span<const float> white) {
   std::vector<double> power;
   for (std::size_t k = 2; k < length / 2; ++k)
     power.push_back(static_cast<double>(std::norm(spectrum[k])) / static_cast<double>(length));
-  double mean = 0.0;
-  for (const double p : power) mean += std::min(p, 10.0);
-  mean /= static_cast<double>(power.size());
+  // Of an exponential variable the median is ln 2 of the mean, and lines do not move it.
+  const auto middle = power.begin() + static_cast<std::ptrdiff_t>(power.size() / 2);
+  std::nth_element(power.begin(), middle, power.end());
+  const double mean = *middle / std::numbers::ln2;
   // The largest of n exponential variables is ln n on average; e^-12 of all sequences reach 12 more.
   const double chance = std::log(static_cast<double>(power.size())) + 12.0;
   const auto lines = static_cast<std::ptrdiff_t>(std::min(kMostLines, power.size()));
