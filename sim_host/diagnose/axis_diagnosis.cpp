@@ -38,13 +38,19 @@ constexpr bool has_blurred_shape(gap::Effect effect) {
 struct Plainer {
   gap::Effect fine;
   gap::Effect plain;
-  double undecided;  ///< share of the finer one's evidence that the plain one needs
+  double undecided;    ///< share of the finer one's evidence that the plain one needs
+  double still_there;  ///< evidence that the plain one needs beside the finer one, once it was found
 };
+// 12: by chance once in a thousand. Friction that depends on the direction has two parts, one that grows with the
+// speed and one that does not; they are stated together.
+constexpr double kRarely = 12.0;
+constexpr double kAlways = -1.0e300;
 constexpr Plainer kPlainer[] = {
-    {gap::Effect::kFeedStribeckFriction, gap::Effect::kFeedCoulombFriction, 0.75},
-    {gap::Effect::kFeedPresliding, gap::Effect::kFeedCoulombFriction, 0.8},
-    {gap::Effect::kSpindleStribeckFriction, gap::Effect::kSpindleCoulombFriction, 0.9},
-    {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.9},
+    {gap::Effect::kFeedStribeckFriction, gap::Effect::kFeedCoulombFriction, 0.75, kRarely},
+    {gap::Effect::kFeedPresliding, gap::Effect::kFeedCoulombFriction, 0.8, kRarely},
+    {gap::Effect::kSpindleStribeckFriction, gap::Effect::kSpindleCoulombFriction, 0.9, kRarely},
+    {gap::Effect::kSpindleCogging, gap::Effect::kSpindleCoulombFriction, 0.7, kRarely},
+    {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, kAlways},
 };
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
@@ -191,7 +197,9 @@ class Search {
       const auto less = [](const Finding& a, const Finding& b) { return a.evidence < b.evidence; };
       const auto weakest = std::min_element(diagnosis_.found.begin(), diagnosis_.found.end(), less);
       const auto strongest = std::max_element(diagnosis_.found.begin(), diagnosis_.found.end(), less);
-      if (weakest->evidence >= std::max(diagnosis_.least_evidence, kLeastShare * strongest->evidence)) break;
+      const double share = kLeastShare * strongest->evidence;
+      const double enough = diagnosis_.needed(*weakest, std::max(diagnosis_.least_evidence, share));
+      if (weakest->evidence >= enough) break;
       fit_.model().effects.erase(fit_.model().effects.begin() + (weakest - diagnosis_.found.begin()));
       diagnosis_.found.erase(weakest);
       fit_.settle();
@@ -202,6 +210,8 @@ class Search {
                      [](const Finding& a, const Finding& b) { return a.evidence > b.evidence; });
     auto& effects = fit_.model().effects;
     for (std::size_t i = 0; i < effects.size(); ++i) effects[i] = diagnosis_.found[i].effect;
+    if (!effects.empty()) fit_.refit_with_this_noise();
+    take_sizes();
   }
 
   AxisDiagnosis& diagnosis_;
@@ -210,6 +220,15 @@ class Search {
 };
 
 }  // namespace
+
+double AxisDiagnosis::needed(const Finding& finding, double usual) const {
+  for (const Plainer& pair : kPlainer) {
+    if (pair.plain != finding.effect.form.effect) continue;
+    for (const Finding& other : found)
+      if (other.effect.form.effect == pair.fine) return std::min(usual, pair.still_there);
+  }
+  return usual;
+}
 
 AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
                              std::span<const gap::Effect> excluded, double least_evidence) {

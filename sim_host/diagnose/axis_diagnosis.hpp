@@ -20,6 +20,10 @@ struct AxisDiagnosis {
   AxisFit nominal;  ///< the model with refitted parameters only
   std::vector<Finding> found{};
   double least_evidence = 0.0;  ///< that an effect needed to be looked at
+
+  /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out to grow
+  /// with the speed is still there, if less of it.
+  [[nodiscard]] double needed(const Finding& finding, double usual) const;
 };
 
 /// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.

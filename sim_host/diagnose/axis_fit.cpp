@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,7 +15,7 @@ namespace morepro::host {
 namespace {
 
 constexpr int kMostSteps = 8;
-constexpr int kMostHalvings = 4;
+constexpr std::array kDampings{0.0, 0.1, 1.0, 10.0, 100.0};
 constexpr double kSettledRound = 5.0;  // deviance that a round of noise and parameters gains
 constexpr double kSettled = 1.0;      // chi-square that a further step would gain
 constexpr double kLongestStep = 0.3;  // relative: beyond, the linearisation is worth little
@@ -146,6 +147,23 @@ std::vector<gap::EffectForm> AxisFit::forms_in_model() const {
   return forms;
 }
 
+double AxisFit::relative_error_of(gap::Effect effect) const {
+  auto column = static_cast<Eigen::Index>(parameter_count(axis_));
+  for (const gap::AppliedEffect& one : model_.effects) {
+    const auto parts = static_cast<Eigen::Index>(one.form.parts);
+    if (one.form.effect != effect) {
+      column += parts;
+      continue;
+    }
+    if (column + parts > standard_error_.size()) return 0.0;
+    const double error = standard_error_.segment(column, parts).norm();
+    double size = 0.0;
+    for (Eigen::Index i = 0; i < parts; ++i) size = std::hypot(size, one.coefficient[static_cast<std::size_t>(i)]);
+    return is_pure_shape(one.form) ? error : size > 0.0 ? error / (std::sqrt(static_cast<double>(parts)) * size) : 0.0;
+  }
+  return 0.0;
+}
+
 AxisFit::Trial AxisFit::tried() const {
   Trial trial{.statistics = collect_with(forms_in_model()), .moments = {}};
   trial.moments = trial.statistics.total();
@@ -156,7 +174,7 @@ AxisFit::Trial AxisFit::tried() const {
   return trial;
 }
 
-// One Gauss-Newton step, shortened until it helps; false where there is nothing to gain.
+// One Gauss-Newton step, damped until it helps; false where there is nothing to gain.
 bool AxisFit::improve(Trial& best) {
   const Eigen::Index width = best.moments.cols();
   if (width == 0) return false;
@@ -169,13 +187,10 @@ bool AxisFit::improve(Trial& best) {
   known_directions_ = directions_known(unit * solution.covariance.topLeftCorner(parameters, parameters),
                                        precision(width).head(parameters));
   if (!((best.cost - solution.rss) / unit > kSettled)) return false;
-  const auto relative = axis_ == Axis::kSpindle ? parameters : 2;
-  const double longest = solution.coefficient.head(relative).cwiseAbs().maxCoeff();
-  double share = std::min(1.0, kLongestStep / std::max(longest, 1.0e-12));
   const GapModel start = model_;
-  for (int i = 0; i < kMostHalvings; ++i, share *= 0.35) {
+  for (const double damping : kDampings) {
     model_ = start;
-    take(share * solution.coefficient);
+    take(step_of(best.moments, active, damping));
     Trial trial = tried();
     if (!(trial.cost < best.cost)) continue;
     const bool is_worth_more = best.cost - trial.cost > kSettled * unit;
@@ -184,6 +199,20 @@ bool AxisFit::improve(Trial& best) {
   }
   model_ = start;
   return false;
+}
+
+/// Damped after Levenberg and Marquardt, and not longer than the linearisation is worth.
+Eigen::VectorXd AxisFit::step_of(const Eigen::MatrixXd& moments, const std::vector<Eigen::Index>& active,
+                                 double damping) const {
+  const Eigen::Index width = moments.cols();
+  const Eigen::VectorXd prior = precision(width);
+  const Eigen::VectorXd stiff = prior + damping * moments.diagonal();
+  const Eigen::VectorXd pull = prior.cwiseProduct(target(width));
+  const Eigen::VectorXd damped_target = (stiff.array() > 0.0).select(pull.array() / stiff.array(), 0.0);
+  const Eigen::VectorXd step = fit(moments, active, stiff, damped_target).coefficient;
+  const Eigen::Index relative = axis_ == Axis::kSpindle ? static_cast<Eigen::Index>(parameter_count(axis_)) : 2;
+  const double longest = step.head(relative).cwiseAbs().maxCoeff();
+  return std::min(1.0, kLongestStep / std::max(longest, 1.0e-12)) * step;
 }
 
 void AxisFit::refit() {
@@ -205,7 +234,7 @@ void AxisFit::settle(int most_rounds) {
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds; ++round) {
     const AxisFit start = *this;
-    fit_noise(axis_, *signals_, model_);
+    fit_noise(axis_, *signals_, datasheet_.noise, model_);
     refit();
     if (!std::isfinite(unlikeliness_)) {
       *this = start;

@@ -40,6 +40,8 @@ bool varies(const RecordingSignals& signals, Channel channel) {
   return highest > lowest;
 }
 
+constexpr double kFastestResonance = 0.2;  // of the sampling rate
+
 void add_torques(Forms& forms, const RecordingSignals& signals) {
   forms.add(Effect::kSpindleCoulombFriction, {0.002, 0.01});
   forms.add(Effect::kSpindleStribeckFriction, {0.02, 0.06, 0.15});
@@ -54,15 +56,19 @@ void add_torques(Forms& forms, const RecordingSignals& signals) {
   }
   if (varies(signals, Channel::kWindingTemperature)) forms.add(Effect::kViscousTemperatureDependence);
   if (varies(signals, Channel::kToolTemperature)) forms.add(Effect::kViscousTemperatureDependence, 1, 1);
-  forms.add(Effect::kTorqueConstantSaturation);
-  forms.add(Effect::kShaftCompliance, {60, 120, 240, 480, 960});
+  if (signals.has(Channel::kArmatureCurrent)) forms.add(Effect::kTorqueConstantSaturation);
+  // Faster resonances cannot be told from how the samples lie.
+  for (const double frequency_hz : {60, 120, 240, 480, 960})
+    if (frequency_hz < kFastestResonance * signals.rate_hz) forms.add(Effect::kShaftCompliance, {frequency_hz});
 }
 
 void add_voltages(Forms& forms, const RecordingSignals& signals, double step_s) {
   forms.add(Effect::kBrushVoltageDrop, {0.02, 0.2});
-  forms.add(Effect::kInductanceSaturation);
   forms.add(Effect::kSupplyVoltageOffset);
   forms.add(Effect::kDriveLag, {0.5 * step_s, 1.0e-4, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3});
+  // What depends on a current that nobody measured could be anything.
+  if (!signals.has(Channel::kArmatureCurrent)) return;
+  forms.add(Effect::kInductanceSaturation);
   forms.add(Effect::kArmatureReaction, 1, 0);
   forms.add(Effect::kArmatureReaction, 1, 1);
   if (!varies(signals, Channel::kWindingTemperature)) return;

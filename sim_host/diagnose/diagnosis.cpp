@@ -29,6 +29,9 @@ constexpr double kLeastUnnamed = 60.0;
 constexpr double kUnexplainedShare = 0.10;
 // No catalogue has exactly a machine's shapes: evidence that differs by this share of the best does not decide.
 constexpr double kMisfit = 0.015;
+// Through the speed alone, what brakes the spindle and what takes from its voltage look nearly the same.
+constexpr double kMisfitOfOneSignal = 0.15;
+constexpr double kTwinShare = 0.4;
 constexpr double kAliasOdds = 20.0;
 constexpr std::size_t kMostAliases = 3;
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
@@ -132,9 +135,11 @@ class Diagnosis {
   void drop_what_chance_explains(AxisOutcome& outcome) {
     auto& found = outcome.diagnosis.found;
     const double threshold = threshold_of(outcome);
-    const auto is_chance = [threshold](const Finding& f) { return !(f.evidence >= threshold); };
+    const auto is_chance = [&](const Finding& f) { return !(f.evidence >= outcome.diagnosis.needed(f, threshold)); };
     if (std::none_of(found.begin(), found.end(), is_chance)) return;
-    std::erase_if(found, is_chance);
+    std::vector<Finding> kept;
+    std::copy_if(found.begin(), found.end(), std::back_inserter(kept), [&](const Finding& f) { return !is_chance(f); });
+    found = std::move(kept);
     if (found.empty()) {
       outcome.diagnosis.fit = outcome.diagnosis.nominal;
       return;
@@ -169,8 +174,9 @@ class Diagnosis {
       result_.threshold_evidence =
           std::max(result_.threshold_evidence, threshold_of(outcome));
       result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
-      named += named_deviance(outcome);
-      unnamed += outcome.leftover.gain >= kLeastUnnamed ? outcome.leftover.gain : 0.0;
+      const double leftover = outcome.leftover.gain >= kLeastUnnamed ? outcome.leftover.gain : 0.0;
+      unnamed += excess_of(leftover);
+      named += excess_of(leftover + named_deviance(outcome)) - excess_of(leftover);
       has_wrong_parameters |= outcome.parameter_evidence > kFixedThreshold;
       has_excitation |= is_excited(outcome.diagnosis.fit);
     }
@@ -183,6 +189,9 @@ class Diagnosis {
     else result_.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
     result_.explanation = explanation();
   }
+
+  // What a deviance is worth as a share of the noise's power.
+  double excess_of(double deviance) const { return std::expm1(deviance / static_cast<double>(signals_.rows)); }
 
   std::string explanation() const {
     switch (result_.verdict) {
@@ -228,23 +237,56 @@ class Diagnosis {
     EffectResult effect{.applied = finding.effect, .effect = finding.effect.form.effect};
     const gap::EffectScales<double> scales(outcome.diagnosis.fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
-    effect.evidence = finding.evidence;
-    effect.standard_error = std::fabs(effect.magnitude) / std::sqrt(std::max(finding.evidence / outcome.chance.temperature, 1.0));
+    effect.evidence = std::max(finding.evidence, 0.0);
+    effect.standard_error = std::fabs(effect.magnitude) * relative_error(finding, outcome);
     const double best = finding.rivals.front().evidence;
-    const double temperature = std::max(outcome.chance.temperature, kMisfit * best);
+    const double temperature = std::max(outcome.chance.temperature, misfit_of(outcome) * best);
     const double floor = result_.threshold_evidence;
     double sum = 1.0 + std::exp(-(best - floor) / (2.0 * temperature));
     effect.alias_set = {effect.effect};
+    if (const auto twin = twin_of(finding, outcome)) effect.alias_set.push_back(*twin);
     for (const Candidate& rival : finding.rivals) {
       if (rival.form.effect == effect.effect) continue;
       const double behind = std::max(best - rival.evidence, 0.0);
       sum += std::exp(-behind / (2.0 * temperature));
-      if (behind < 2.0 * temperature * std::log(kAliasOdds) && effect.alias_set.size() < kMostAliases)
+      const bool is_listed = std::find(effect.alias_set.begin(), effect.alias_set.end(), rival.form.effect) !=
+                             effect.alias_set.end();
+      if (behind < 2.0 * temperature * std::log(kAliasOdds) && !is_listed && effect.alias_set.size() < kMostAliases)
         effect.alias_set.push_back(rival.form.effect);
     }
-    const double unnamed = outcome.leftover.gain / std::max(outcome.leftover.gain + named_deviance(outcome), 1.0);
+    const double all = excess_of(outcome.leftover.gain + named_deviance(outcome));
+    const double unnamed = all > 0.0 ? excess_of(outcome.leftover.gain) / all : 0.0;
     effect.confidence = (1.0 - unnamed) / sum;
     return effect;
+  }
+
+  /// Of the size of an effect. What blocks of time disagree on more than noise lets expect is in the temperature.
+  static double relative_error(const Finding& finding, const AxisOutcome& outcome) {
+    const AxisFit& fit = outcome.diagnosis.fit;
+    const double share = fit.relative_error_of(finding.effect.form.effect);
+    const double by_evidence = 1.0 / std::sqrt(std::max(finding.evidence, 1.0));
+    return (share > 0.0 ? share : by_evidence) * std::sqrt(outcome.chance.temperature);
+  }
+
+  bool is_one_signal_for_two(const AxisOutcome& outcome) const {
+    return outcome.diagnosis.fit.axis() == Axis::kSpindle && !signals_.has(Channel::kArmatureCurrent);
+  }
+
+  /// Evidence that does not decide, as a share of the best.
+  double misfit_of(const AxisOutcome& outcome) const {
+    return is_one_signal_for_two(outcome) ? kMisfitOfOneSignal : kMisfit;
+  }
+
+  /// The same load on the other side of a motor whose current nobody measured.
+  std::optional<Effect> twin_of(const Finding& finding, const AxisOutcome& outcome) const {
+    if (!is_one_signal_for_two(outcome)) return std::nullopt;
+    const Effect effect = finding.effect.form.effect;
+    const bool is_friction = effect == Effect::kSpindleCoulombFriction || effect == Effect::kSpindleStribeckFriction;
+    if (!is_friction && effect != Effect::kBrushVoltageDrop) return std::nullopt;
+    const Effect twin = is_friction ? Effect::kBrushVoltageDrop : Effect::kSpindleCoulombFriction;
+    for (const Candidate& rival : finding.rivals)
+      if (rival.form.effect == twin && rival.evidence > kTwinShare * finding.rivals.front().evidence) return twin;
+    return std::nullopt;
   }
 
   void measure() {
@@ -279,13 +321,15 @@ class Diagnosis {
   }
 
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
+    bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
       const auto group = gap::info_of(finding.effect.form.effect).group;
       const bool is_here = static_cast<std::size_t>(group) == static_cast<std::size_t>(balance.balance);
       const bool is_sensor = group == gap::EffectGroup::kSensor;
       if (!is_here && !is_sensor) continue;
       balance.is_significant |= is_here || balance.residual_ratio > kVisible;
-      if (is_here && !balance.onset_s) balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
+      if (is_here && is_strongest) balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
+      is_strongest &= !is_here;
     }
     const double left = leftover_in(balance.balance, outcome);
     if (!(left >= 0.5 * outcome.leftover.gain && left > 0.0)) return;

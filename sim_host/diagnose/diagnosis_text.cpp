@@ -37,13 +37,18 @@ std::string which_text(const DiagnosisResult& r) {
   return text;
 }
 
+// A model that runs away has no error.
+std::string percent(double share) {
+  return std::isfinite(share) ? fmt::format("{:8.3f} %", 100.0 * share) : fmt::format("{:>10}", "diverges");
+}
+
 std::string models_text(const char* title, const std::array<std::optional<ModelComparison>, gap::kBalanceCount>& m) {
   std::string text;
   for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
     if (!m[b]) continue;
-    text += fmt::format("  {:9} {:16}  datasheet {:8.3f} %  refit {:8.3f} %  with effects {:8.3f} %  noise {:8.3f} %\n", title,
-                        gap::kBalanceNames[b], 100.0 * m[b]->datasheet, 100.0 * m[b]->refit,
-                        100.0 * m[b]->with_effect, 100.0 * m[b]->noise_floor);
+    text += fmt::format("  {:9} {:16}  datasheet {}  refit {}  with effects {}  noise {}\n", title,
+                        gap::kBalanceNames[b], percent(m[b]->datasheet), percent(m[b]->refit),
+                        percent(m[b]->with_effect), percent(m[b]->noise_floor));
   }
   return text;
 }

@@ -109,6 +109,7 @@ double GapStatistics::total_rows() const {
 GapStatistics collect(Axis axis, const RecordingSignals& signals, const GapModel& model,
                       std::span<const gap::EffectForm> forms, const Whitening& whitening, double block_s) {
   GapStatistics statistics;
+  statistics.may_remember = !signals.is_thinned;
   std::size_t terms = 0;
   for (const gap::EffectForm& form : forms) terms += form.parts;
   const auto width = static_cast<Eigen::Index>(parameter_count(axis) + terms + 1);
@@ -121,12 +122,13 @@ GapStatistics collect(Axis axis, const RecordingSignals& signals, const GapModel
 
 double unlikeliness_of(const GapStatistics& statistics) {
   double sum = 0.0;
+  const Whitening whitening = whitening_of(statistics);
   for (std::size_t i = 0; i < kSensorsPerAxis; ++i) {
     const auto& normalised = statistics.normalised[i];
     const auto is_finite = [](float value) { return std::isfinite(value); };
     if (!std::all_of(normalised.begin(), normalised.end(), is_finite))
       return std::numeric_limits<double>::quiet_NaN();
-    const SensorWhitening white = whitening_of(normalised, statistics.in_contact[i]);
+    const SensorWhitening& white = whitening[i];
     const auto& contact = statistics.in_contact[i];
     const auto cut = static_cast<double>(std::count(contact.begin(), contact.end(), true));
     const auto all = static_cast<double>(contact.size());
@@ -139,7 +141,7 @@ double unlikeliness_of(const GapStatistics& statistics) {
 Whitening whitening_of(const GapStatistics& statistics) {
   Whitening whitening;
   for (std::size_t i = 0; i < kSensorsPerAxis; ++i)
-    whitening[i] = whitening_of(statistics.normalised[i], statistics.in_contact[i]);
+    whitening[i] = whitening_of(statistics.normalised[i], statistics.in_contact[i], statistics.may_remember);
   return whitening;
 }
 

@@ -15,6 +15,9 @@ struct GapStatistics {
   std::vector<Eigen::MatrixXd> block;
   std::vector<double> rows;  ///< of each block
   double block_s = 0.0;
+  /// May what is left remember itself? Of a thinned recording what remembers itself is structure: to whiten it would
+  /// judge by the reversals alone.
+  bool may_remember = true;
   /// For the next whitening, and for looking at what is left: innovations over the observer's standard deviation.
   std::array<std::vector<float>, kSensorsPerAxis> normalised;
   std::array<std::vector<bool>, kSensorsPerAxis> in_contact;

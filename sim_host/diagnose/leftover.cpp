@@ -71,12 +71,12 @@ std::vector<float> over_angle(const std::vector<float>& white, const RecordingSi
 
 void look_for_lines(const AxisFit& fit, Leftover& leftover) {
   const GapStatistics statistics = fit.collect_with({});
+  const Whitening whitening = whitening_of(statistics);
   double largest = 0.0;
   double torque = 0.0;
   for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) {
     if (statistics.normalised[sensor].empty()) continue;
-    const auto white = white_innovations(
-        statistics, sensor, whitening_of(statistics.normalised[sensor], statistics.in_contact[sensor]));
+    const auto white = white_innovations(statistics, sensor, whitening[sensor]);
     double gain = line_gain(white);
     if (fit.signals().has(Channel::kSpindleSpeed)) gain = std::max(gain, line_gain(over_angle(white, fit.signals())));
     if (sensor == 0) torque = gain;

@@ -31,18 +31,19 @@ double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& 
   return sum;
 }
 
-void search(Axis axis, const RecordingSignals& signals, GapModel& model, double& step, double least) {
+/// `value` is part of the model, between `least` and `most`.
+void search(Axis axis, const RecordingSignals& signals, GapModel& model, double& value, double least, double most) {
   double best = unlikeliness(axis, signals, model);
   for (const double factor : {4.0, 0.25, 1.6, 0.625}) {
     for (;;) {
-      const double before = step;
-      step = std::clamp(step * factor, least, least / kLeastShare * kMostShare);
-      const double value = step == before ? best : unlikeliness(axis, signals, model);
-      if (value < best - 1.0) {
-        best = value;
+      const double before = value;
+      value = std::clamp(value * factor, least, most);
+      const double other = value == before ? best : unlikeliness(axis, signals, model);
+      if (other < best - 1.0) {
+        best = other;
         continue;
       }
-      step = before;
+      value = before;
       break;
     }
   }
@@ -62,15 +63,23 @@ gap::GapNoise<double> least_noise(const Sensors& sensors) {
   return noise;
 }
 
-void fit_noise(Axis axis, const RecordingSignals& signals, GapModel& model) {
+void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated, GapModel& model) {
   auto& noise = model.noise;
+  const auto search_step = [&](double& step, double sensor_variance) {
+    const double sensor = std::sqrt(sensor_variance);
+    search(axis, signals, model, step, kLeastShare * sensor, kMostShare * sensor);
+  };
   if (axis == Axis::kFeed) {
-    search(axis, signals, model, noise.feed_step, kLeastShare * std::sqrt(noise.feed_speed_variance));
+    search_step(noise.feed_step, noise.feed_speed_variance);
+    // Position by itself: whether the file's noise of a good encoder is right decides what speed is worth.
+    if (signals.is_thinned)
+      search(axis, signals, model, noise.feed_position_variance, 1.0e-3 * stated.feed_position_variance,
+             stated.feed_position_variance);
     return;
   }
   for (int round = 0; round < 2; ++round) {
-    search(axis, signals, model, noise.speed_step, kLeastShare * std::sqrt(noise.speed_variance));
-    search(axis, signals, model, noise.current_step, kLeastShare * std::sqrt(noise.current_variance));
+    search_step(noise.speed_step, noise.speed_variance);
+    search_step(noise.current_step, noise.current_variance);
   }
 }
 

@@ -11,6 +11,7 @@ constexpr double kWindingDegc = 25.0;
 
 RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
   RecordingSignals thin;
+  thin.is_thinned = true;
   thin.rate_hz = signals.rate_hz / static_cast<double>(factor);
   thin.start_s = signals.start_s;
   thin.rows = signals.rows / factor;

@@ -148,8 +148,11 @@ void compare_models(const AxisDiagnosis& diagnosis, Shrinkage& shrinkage) {
     const std::array<double, 2> sensor = axis == Axis::kSpindle
                                              ? std::array{noise.speed_variance, noise.current_variance}
                                              : std::array{noise.feed_position_variance, noise.feed_speed_variance};
-    shrinkage.one_step_nrmse[place] = compare(step, step[2][balance.sensor].expected_rms());
-    shrinkage.free_run_nrmse[place] = compare(run, std::sqrt(sensor[balance.sensor]));
+    // A sensor may be better than its machine file says: nothing is below the floor.
+    const auto floor = [](const ErrorSum& error, double expected) { return std::min(error.rms(), expected); };
+    const ErrorSum& one_step = step[2][balance.sensor];
+    shrinkage.one_step_nrmse[place] = compare(step, floor(one_step, one_step.expected_rms()));
+    shrinkage.free_run_nrmse[place] = compare(run, floor(run[2][balance.sensor], std::sqrt(sensor[balance.sensor])));
   }
 }
 

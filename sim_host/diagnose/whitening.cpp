@@ -44,7 +44,8 @@ std::vector<double> autocovariance(std::span<const float> values, std::size_t la
 
 }  // namespace
 
-SensorWhitening whitening_of(std::span<const float> normalised, const std::vector<bool>& in_contact) {
+SensorWhitening whitening_of(std::span<const float> normalised, const std::vector<bool>& in_contact,
+                             bool may_remember) {
   constexpr auto& kLags = SensorWhitening::kLags;
   constexpr auto kCount = static_cast<Eigen::Index>(kLags.size());
   SensorWhitening whitening;
@@ -54,6 +55,7 @@ SensorWhitening whitening_of(std::span<const float> normalised, const std::vecto
   const double known = free > 0.0 ? free : contact;
   if (!(known > 0.0)) return whitening;
   whitening.scale = {free > 0.0 ? free : known, contact > 0.0 ? contact : known};
+  if (!may_remember) return whitening;
   const auto values = scaled(normalised, in_contact, whitening.scale);
   const auto covariance = autocovariance(values, kLags.back());
   Eigen::MatrixXd a(kCount, kCount);

@@ -21,6 +21,7 @@ using Whitening = std::array<SensorWhitening, kSensorsPerAxis>;
 
 /// Estimates the whitening of one sensor from its normalised innovations (value over the observer's standard
 /// deviation) in the order of time. Robust against a few outliers. Too few of them give no whitening.
-SensorWhitening whitening_of(std::span<const float> normalised, const std::vector<bool>& in_contact);
+SensorWhitening whitening_of(std::span<const float> normalised, const std::vector<bool>& in_contact,
+                             bool may_remember = true);
 
 }  // namespace morepro::host
