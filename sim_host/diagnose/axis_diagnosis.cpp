@@ -17,6 +17,7 @@ constexpr int kDuelRounds = 2;  // what a settled model needs to settle with one
 constexpr std::size_t kMostEffects = 4;
 constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
+constexpr double kLeastShareOfFamily = 0.08;
 constexpr double kLeastShare = 0.01;  // of the best effect's evidence
 
 /// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a delay has
@@ -53,6 +54,35 @@ constexpr Plainer kPlainer[] = {
     {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, kAlways},
 };
 
+/// What has the same cause, shows the same way and differs in shape: what is left of one after its own shape was
+/// fitted looks like the others.
+enum class Family { kNone, kDryFriction, kPerTurn, kElectricLag, kFeedLag };
+constexpr Family family_of(gap::Effect effect) {
+  switch (effect) {
+    case gap::Effect::kFeedCoulombFriction:
+    case gap::Effect::kFeedStribeckFriction:
+    case gap::Effect::kFeedPresliding:
+    case gap::Effect::kSpindleCoulombFriction:
+    case gap::Effect::kSpindleStribeckFriction:
+      return Family::kDryFriction;
+    case gap::Effect::kSpindleCogging:
+    case gap::Effect::kToothPassingTorque:
+    case gap::Effect::kEncoderEccentricity:
+      return Family::kPerTurn;
+    case gap::Effect::kDriveLag:
+    case gap::Effect::kCurrentDelay:
+    case gap::Effect::kCurrentBandwidth:
+    case gap::Effect::kSpindleSpeedDelay:
+    case gap::Effect::kSpindleSpeedBandwidth:
+      return Family::kElectricLag;
+    case gap::Effect::kFeedDriveLag:
+    case gap::Effect::kFeedSpeedDelay:
+      return Family::kFeedLag;
+    default:
+      return Family::kNone;
+  }
+}
+
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
 class Search {
@@ -66,10 +96,15 @@ class Search {
     diagnosis_.least_evidence = std::max(diagnosis_.least_evidence, kLeastShare * evidence_of_known());
     while (diagnosis_.found.size() < kMostEffects && add_one()) {
     }
-    prune();
+    if (prune() || diagnosis_.found.size() == kMostEffects) collect_rest();
   }
 
  private:
+  void collect_rest() {
+    diagnosis_.others = candidate_forms(fit_.axis(), fit_.signals(), fit_.model(), left_out_);
+    diagnosis_.rest = fit_.collect_with(diagnosis_.others);
+  }
+
   // Beside an effect that the machine file states another one has to be worth as much as beside one that was found.
   double evidence_of_known() const {
     if (fit_.model().known.empty()) return 0.0;
@@ -81,8 +116,8 @@ class Search {
   }
 
   bool add_one() {
-    const auto forms = candidate_forms(fit_.axis(), fit_.signals(), fit_.model(), left_out_);
-    auto ranked = rank_candidates(fit_, fit_.collect_with(forms), forms);
+    collect_rest();
+    auto ranked = rank_candidates(fit_, diagnosis_.rest, diagnosis_.others);
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
@@ -190,16 +225,27 @@ class Search {
     }
   }
 
-  void prune() {
-    for (;;) {
+  /// Evidence that a finding needs beside the others.
+  double enough_for(const Finding& finding) const {
+    double enough = diagnosis_.least_evidence;
+    const Family family = family_of(finding.effect.form.effect);
+    for (const Finding& other : diagnosis_.found) {
+      const bool is_related = family != Family::kNone && family == family_of(other.effect.form.effect);
+      enough = std::max(enough, (is_related ? kLeastShareOfFamily : kLeastShare) * other.evidence);
+    }
+    return diagnosis_.needed(finding, enough);
+  }
+
+  /// Takes out what is not worth enough; was there any?
+  bool prune() {
+    bool has_changed = false;
+    for (;; has_changed = true) {
       weigh();
-      if (diagnosis_.found.empty()) return;
-      const auto less = [](const Finding& a, const Finding& b) { return a.evidence < b.evidence; };
-      const auto weakest = std::min_element(diagnosis_.found.begin(), diagnosis_.found.end(), less);
-      const auto strongest = std::max_element(diagnosis_.found.begin(), diagnosis_.found.end(), less);
-      const double share = kLeastShare * strongest->evidence;
-      const double enough = diagnosis_.needed(*weakest, std::max(diagnosis_.least_evidence, share));
-      if (weakest->evidence >= enough) break;
+      if (diagnosis_.found.empty()) return has_changed;
+      const auto lack = [this](const Finding& f) { return enough_for(f) - f.evidence; };
+      const auto weakest = std::max_element(diagnosis_.found.begin(), diagnosis_.found.end(),
+                                            [&](const Finding& a, const Finding& b) { return lack(a) < lack(b); });
+      if (!(lack(*weakest) > 0.0)) break;
       fit_.model().effects.erase(fit_.model().effects.begin() + (weakest - diagnosis_.found.begin()));
       diagnosis_.found.erase(weakest);
       fit_.settle();
@@ -210,8 +256,9 @@ class Search {
                      [](const Finding& a, const Finding& b) { return a.evidence > b.evidence; });
     auto& effects = fit_.model().effects;
     for (std::size_t i = 0; i < effects.size(); ++i) effects[i] = diagnosis_.found[i].effect;
-    if (!effects.empty()) fit_.refit_with_this_noise();
+    fit_.refit_with_this_noise();
     take_sizes();
+    return has_changed;
   }
 
   AxisDiagnosis& diagnosis_;

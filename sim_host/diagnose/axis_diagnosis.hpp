@@ -20,6 +20,8 @@ struct AxisDiagnosis {
   AxisFit nominal;  ///< the model with refitted parameters only
   std::vector<Finding> found{};
   double least_evidence = 0.0;  ///< that an effect needed to be looked at
+  std::vector<gap::EffectForm> others{};  ///< candidates beside the findings,
+  GapStatistics rest{};                   ///< and the moments of what is left with them
 
   /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out to grow
   /// with the speed is still there, if less of it.

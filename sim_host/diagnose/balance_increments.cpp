@@ -134,6 +134,10 @@ class Increments {
     return step_s_ * trace.added[i].force_n / f.mass_kg + next.feed_speed_m_s - here.feed_speed_m_s +
            f.viscous_friction_ns_m / f.mass_kg * mean(here.feed_speed_m_s, next.feed_speed_m_s);
   }
+  // A machine whose file has no viscous friction has no such parameter: it is an effect there.
+  [[nodiscard]] double if_viscous(double travel_m) const {
+    return fit_.datasheet().machine.feed.viscous_friction_ns_m > 0.0 ? travel_m : 0.0 * travel_m;
+  }
   [[nodiscard]] double on_position(const EffectTrace& trace, std::size_t i) const {
     return 0.5 * step_s_ * (trace.added[i - 1].force_n + trace.added[i].force_n) / machine_.feed.mass_kg;
   }
@@ -152,7 +156,7 @@ class Increments {
   [[nodiscard]] Row force(std::size_t i) const {
     const auto& input = frames_[i].input;
     return row({step_s_ * input.feed_force_n, step_s_ * input.contact * input.engagement, step_s_ * input.contact,
-                mean(feed_speed(i), feed_speed(i + 1)), on_force(found_, i),
+                if_viscous(mean(feed_speed(i), feed_speed(i + 1))), on_force(found_, i),
                 feed_speed(i + 1) - feed_speed(i) - on_force(known_, i)});
   }
   // The increment of a speed that was not recorded: a second difference of the position, with the inputs of both
@@ -164,7 +168,7 @@ class Increments {
     const double cut_a = a.contact;
     const double cut_b = b.contact;
     return row({half * (a.feed_force_n + b.feed_force_n), half * (cut_a * a.engagement + cut_b * b.engagement),
-                half * (cut_a + cut_b), 0.5 * (position(i + 1) - position(i - 1)), on_position(found_, i),
+                half * (cut_a + cut_b), if_viscous(0.5 * (position(i + 1) - position(i - 1))), on_position(found_, i),
                 (position(i + 1) - 2.0 * position(i) + position(i - 1)) / step_s_ - on_position(known_, i)});
   }
 

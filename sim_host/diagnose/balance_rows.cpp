@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kPieceS = 2.0;
 constexpr double kFewestPieces = 6.0;
+constexpr double kSizeSpread = 0.1;
 
 /// Rows of one window: [band and phase] x [columns of the increments].
 struct Window {
@@ -68,7 +69,13 @@ Coefficients fitted(const std::vector<Window>& windows, const Scales& scale, boo
   // A trace of a prior: columns that are combinations of others do not run away.
   Eigen::VectorXd precision = Eigen::VectorXd::Zero(width);
   for (const Eigen::Index j : active) precision(j) = 1.0e-9 * moments(j, j);
-  const LinearFit solution = fit(moments, active, precision, Eigen::VectorXd::Zero(width));
+  // The effects have the size that the innovations gave them, give or take a tenth.
+  Eigen::VectorXd target = Eigen::VectorXd::Zero(width);
+  if (with_effect) {
+    precision(width - 2) = 1.0 / (kSizeSpread * kSizeSpread);
+    target(width - 2) = 1.0;
+  }
+  const LinearFit solution = fit(moments, active, precision, target);
   Coefficients coefficient = Coefficients::Zero(width - 1);
   for (std::size_t i = 0; i < active.size(); ++i) coefficient(active[i]) = solution.coefficient(static_cast<Eigen::Index>(i));
   return coefficient;

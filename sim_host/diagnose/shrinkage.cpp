@@ -12,9 +12,15 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+constexpr double kOneSided95 = 1.645;
+// No catalogue has a machine's exact shapes. Of the excess an effect of another shape leaves this much on average,
+// and hardly ever more than that.
+constexpr double kUsualMisfit = 0.02;
+constexpr double kLargestMisfit = 0.10;
 using Chosen = std::vector<std::size_t>;
 
-double share_of(std::span<const BalanceRows> balances, std::span<const double> noise_share,
+/// `floor`: the noise floor of each balance as a share of what the effects leave.
+double share_of(std::span<const BalanceRows> balances, std::span<const double> floor,
                 const std::vector<Chosen>& chosen) {
   double closed = 0.0;
   double open = 0.0;
@@ -23,7 +29,7 @@ double share_of(std::span<const BalanceRows> balances, std::span<const double> n
       const double before = balances[b].held_out_before[i];
       const double after = balances[b].held_out_after[i];
       closed += before - after;
-      open += before - after * noise_share[b];
+      open += before - after * floor[b];
     }
   }
   return open > 0.0 ? std::clamp(closed / open, -1.0, 1.0) : 0.0;
@@ -98,27 +104,36 @@ std::vector<WatchedBalance> watched(Axis axis, const RecordingSignals& signals) 
 
 }  // namespace
 
-void share_closed(std::span<const BalanceRows> balances, std::span<const double> leftover, std::uint64_t seed,
+void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed, std::uint64_t seed,
                   Shrinkage& shrinkage) {
-  std::vector<double> noise_share;
+  std::vector<double> likely;
+  std::vector<double> lowest;
+  std::vector<double> highest;
   std::vector<Chosen> chosen(balances.size());
   for (std::size_t b = 0; b < balances.size(); ++b) {
-    const double rows = static_cast<double>(balances[b].after.size() * kRowsPerWindow);
-    noise_share.push_back(rows > 0.0 ? 1.0 / (1.0 + leftover[b] / rows) : 1.0);
+    const double rows = std::max(static_cast<double>(balances[b].after.size() * kRowsPerWindow), 1.0);
+    const bool has_gap = !(unnamed[b].unseen == 0.0);
+    const double chance = has_gap ? kOneSided95 * std::sqrt(2.0 / (kOverlap * rows)) : 0.0;
+    likely.push_back(1.0 / (1.0 + unnamed[b].found / rows));
+    lowest.push_back((1.0 - chance) / (1.0 + (unnamed[b].found + unnamed[b].unseen) / rows));
+    highest.push_back(likely.back() * (1.0 + chance));
     chosen[b].resize(balances[b].held_out_before.size());
     std::iota(chosen[b].begin(), chosen[b].end(), 0);
   }
-  shrinkage.share_closed = share_of(balances, noise_share, chosen);
+  shrinkage.share_closed = (1.0 - kUsualMisfit) * share_of(balances, likely, chosen);
   constexpr int kDraws = 400;
-  std::vector<double> shares;
+  std::vector<double> low;
+  std::vector<double> high;
   for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
     std::uint64_t counter = 0;
     for (Chosen& pieces : chosen)
       for (std::size_t& piece : pieces) piece = mixed(mixed(seed, draw), counter++) % pieces.size();
-    shares.push_back(share_of(balances, noise_share, chosen));
+    low.push_back(share_of(balances, lowest, chosen));
+    high.push_back(share_of(balances, highest, chosen));
   }
-  std::sort(shares.begin(), shares.end());
-  shrinkage.interval90 = {shares[kDraws / 20], shares[kDraws - 1 - kDraws / 20]};
+  std::sort(low.begin(), low.end());
+  std::sort(high.begin(), high.end());
+  shrinkage.interval90 = {(1.0 - kLargestMisfit) * low[kDraws / 20], high[kDraws - 1 - kDraws / 20]};
 }
 
 void compare_models(const AxisDiagnosis& diagnosis, Shrinkage& shrinkage) {

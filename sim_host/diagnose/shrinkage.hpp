@@ -8,9 +8,15 @@
 
 namespace morepro::host {
 
-/// Share closed over all balances with its 90 % interval, by drawing pieces anew. `leftover[i]`: deviance of the
-/// structure that stays in balance i.
-void share_closed(std::span<const BalanceRows> balances, std::span<const double> leftover, std::uint64_t seed,
+/// Structure without a name in one balance, as a deviance.
+struct UnnamedPower {
+  double found = 0.0;
+  double unseen = 0.0;  ///< so much may be there without being found; 0 where the effects do not act
+};
+
+/// Share closed over all balances with its 90 % interval: pieces are drawn anew, and the noise floor is no better
+/// known than its rows and what cannot be seen in them allow. `unnamed[i]`: of balance i.
+void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed, std::uint64_t seed,
                   Shrinkage& shrinkage);
 
 /// One-step and free-run errors of an axis, relative to the standard deviation of what is measured.

@@ -10,8 +10,6 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kTimeCells = 8;
-// Rows of half overlapping sin^4 windows correlate: so much less are they worth.
-constexpr double kOverlap = 0.85;
 
 /// Mean of a recorded signal over a window.
 class WindowMean {

@@ -11,6 +11,8 @@ inline constexpr std::size_t kWindowLength = 256;
 inline constexpr std::size_t kBands = 5;
 inline constexpr std::array<int, kBands> kBandPeriods{0, 3, 6, 9, 12};
 inline constexpr std::size_t kRowsPerWindow = 2 * kBands - 1;
+/// Rows of half overlapping sin^4 windows correlate: so much less are they worth.
+inline constexpr double kOverlap = 0.85;
 
 struct WindowPower {
   std::size_t first = 0;               ///< interval at which the window begins

@@ -121,7 +121,8 @@ class Trial:
             if place and place.get("residual_ratio") and place.get("residual_ratio_after") is not None:
                 closed += ratio * (1.0 - place["residual_ratio_after"] / place["residual_ratio"])
                 excess += ratio - 1.0
-        return closed / excess if excess > 0.0 else None
+        # Both sides are estimates: more than all of it is all of it.
+        return min(closed / excess, 1.0) if excess > 0.0 else None
 
     def claimed_share(self):
         shrinkage = (self.said or {}).get("shrinkage") or {}
