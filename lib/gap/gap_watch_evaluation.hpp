@@ -19,7 +19,10 @@ class GapWatchEvaluation {
   /// `spread`: standard deviation of each parameter column, as well as the datasheet knows it; 0: not a
   /// parameter of this machine.
   GapWatchEvaluation(const std::array<Real, kParameters>& spread, const GapLimits& limits)
-      : spread_(spread), limits_(limits) {}
+      : spread_(spread),
+        threshold_(static_cast<Real>(limits.evidence)),
+        temperature_(static_cast<Real>(limits.temperature)),
+        least_excitation_(static_cast<Real>(limits.excitation)) {}
 
   /// The next form in the order of the columns; at most kForms. A form without parts has no column.
   void add(const BoardForm& form) { forms_[form_count_++] = form; }
@@ -50,7 +53,7 @@ class GapWatchEvaluation {
   /// How many times better than from the datasheet the least known parameter is known.
   [[nodiscard]] Real excitation() const { return excitation_; }
   /// How far the finding is beyond what chance makes.
-  [[nodiscard]] Real surplus() const { return static_cast<Real>(finding_.evidence) - threshold(); }
+  [[nodiscard]] Real surplus() const { return static_cast<Real>(finding_.evidence) - threshold_; }
 
  private:
   static constexpr std::size_t kFewestRows = 300;
@@ -65,7 +68,6 @@ class GapWatchEvaluation {
   static constexpr Real kLogOf20 = Real(2.9957323);
 
   [[nodiscard]] Real rows() const { return static_cast<Real>(statistics_.rows()); }
-  [[nodiscard]] Real threshold() const { return static_cast<Real>(limits_.evidence); }
 
   [[nodiscard]] Real evidence(Real before, Real after, Real freedom) const {
     return rows() * math::log(before / std::max(after, Real(1.0e-6) * before)) - freedom * math::log(rows());
@@ -101,7 +103,7 @@ class GapWatchEvaluation {
   void judge_alias(std::size_t i) {
     if (finding_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return;
     const Real lead = evidence_[best_] - evidence_[i];
-    const Real close = Real(2) * static_cast<Real>(limits_.temperature) * kLogOf20;
+    const Real close = Real(2) * temperature_ * kLogOf20;
     if (lead > close && !resembles_best(i)) return;
     finding_.alias[finding_.alias_count++] = forms_[i].effect;
   }
@@ -128,9 +130,9 @@ class GapWatchEvaluation {
 
   [[nodiscard]] GapVerdict verdict() const {
     if (statistics_.rows() < kFewestRows) return GapVerdict::kNotEnoughData;
-    if (!(excitation_ > static_cast<Real>(limits_.excitation))) return GapVerdict::kInsufficientExcitation;
+    if (!(excitation_ > least_excitation_)) return GapVerdict::kInsufficientExcitation;
     if (is_effect()) return is_explained() ? GapVerdict::kEffect : GapVerdict::kUnexplained;
-    if (parameter_evidence() > threshold()) return GapVerdict::kParameterError;
+    if (parameter_evidence() > threshold_) return GapVerdict::kParameterError;
     return rest_ > kMostResidual * rows() ? GapVerdict::kUnexplained : GapVerdict::kNoGap;
   }
 
@@ -142,18 +144,20 @@ class GapWatchEvaluation {
   }
 
   [[nodiscard]] bool is_effect() const {
-    return evidence_[best_] > threshold() && gain_[best_] > kSecondOrder * (whole_ - rest_);
+    return evidence_[best_] > threshold_ && gain_[best_] > kSecondOrder * (whole_ - rest_);
   }
 
   [[nodiscard]] Real confidence(Real best) const {
-    const Real lead = (best - threshold()) / (Real(2) * static_cast<Real>(limits_.temperature));
+    const Real lead = (best - threshold_) / (Real(2) * temperature_);
     return Real(1) / (Real(1) + math::exp(std::clamp(-lead, Real(-40), Real(40))));
   }
 
   std::array<BoardForm, kForms> forms_{};
   std::size_t form_count_ = 0;
   std::array<Real, kParameters> spread_;
-  GapLimits limits_;
+  Real threshold_;
+  Real temperature_;
+  Real least_excitation_;
   Statistics statistics_{};
   GapFinding finding_{};
   std::array<Real, kForms> evidence_{};
