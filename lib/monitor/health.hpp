@@ -63,7 +63,7 @@ struct Health {
 
   std::array<ParameterEstimate, kParameterCount> parameters{};  ///< in the order of Parameter
 
-  gap::GapFinding gap;  ///< between model and machine, from all that was seen so far
+  gap::GapFinding gap{};  ///< between model and machine, from all that was seen so far
 };
 
 }  // namespace morepro

@@ -315,7 +315,7 @@ class Diagnosis {
   }
 
   static void take_for_board(const AxisOutcome& outcome, gap::GapSettings& settings) {
-    const gap::GapNoise<double>& noise = outcome.diagnosis.nominal.model().noise;
+    const gap::GapNoise<double>& noise = outcome.diagnosis.fit.model().noise;
     const bool is_spindle = outcome.diagnosis.fit.axis() == Axis::kSpindle;
     gap::GapLimits& limits = is_spindle ? settings.spindle : settings.feed;
     limits.evidence = std::max(limits.evidence, outcome.chance.quantile99);

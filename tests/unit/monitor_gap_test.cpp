@@ -142,7 +142,27 @@ TEST(MonitorGap, DoesNotJudgeACutOfUnknownChipLoad) {
   EXPECT_NE(health.gap.verdict, GapVerdict::kUnexplained);
 }
 
-TEST(MonitorGap, AFaultOrAWornToolComesFirst) {
+/// The tool needs the torque of a chip that is thicker than the command, on an axis with an effect.
+std::size_t frames_of_state_beside_an_effect(HealthState state, float commanded_share) {
+  MonitorConfiguration configuration = test::gap_configuration();
+  configuration.wear.hold_s = 0.02;
+  auto monitor = std::make_unique<BoardMonitor>();
+  EXPECT_TRUE(monitor->configure(configuration).ok());
+  std::size_t frames = 0;
+  (void)show(*monitor, kBiased, [&](std::size_t, SensorFrame& frame) {
+    frame.set(Channel::kChipLoad, commanded_share * frame.get(Channel::kChipLoad));
+    const Health& before = monitor->health();
+    frames += before.state == state && before.gap.verdict == GapVerdict::kEffect ? 1U : 0U;
+  });
+  return frames;
+}
+
+TEST(MonitorGap, AWornToolComesFirst) {
+  EXPECT_GT(frames_of_state_beside_an_effect(HealthState::kWatch, 0.7F), 100U);
+  EXPECT_GT(frames_of_state_beside_an_effect(HealthState::kReplace, 0.45F), 100U);
+}
+
+TEST(MonitorGap, AFaultComesFirst) {
   auto monitor = new_monitor();
   (void)show(*monitor, kBiased);
   ASSERT_EQ(monitor->health().state, HealthState::kModelGap);
