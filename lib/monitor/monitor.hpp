@@ -139,8 +139,8 @@ class Monitor {
   void watch_gap(const GuardedFrame& seen) {
     auto& e = estimators_;
     if (!sensors_are_sound()) return e.gap.distrust();
-    const bool is_timed = (seen.flags & bits_of(FrameFlag::kTimeJump)) == 0;
-    if (seen.is_restart || seen.missing > 0 || !is_timed) e.gap.interrupt();
+    constexpr unsigned kBreaks = bits_of(FrameFlag::kTimeJump) | bits_of(FrameFlag::kEstimatorReset);
+    if (seen.is_restart || seen.missing > 0 || (health_.frame_flags & kBreaks) != 0) e.gap.interrupt();
     e.gap.step(e.held, static_cast<std::uint16_t>(seen.frame.usable & ~health_.rejected_channels));
   }
 

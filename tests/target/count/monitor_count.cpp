@@ -24,9 +24,10 @@ SensorFrame frame;
 
 void next_frame() {
   static RecordedFrames files;
-  static firmware::BlockBoard<RecordedFrames> board(files);
+  static firmware::BlockSource<RecordedFrames> source(files);
+  static firmware::FrameLink<firmware::BlockSource<RecordedFrames>> link(source);
   while (true) {
-    const hal::ReadStatus status = board.read_frame(frame);
+    const hal::ReadStatus status = link.read_frame(frame);
     if (status == hal::ReadStatus::kFrame) return;
     if (status == hal::ReadStatus::kEnd) firmware::semihost::exit(4);
   }
