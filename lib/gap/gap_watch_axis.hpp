@@ -45,7 +45,7 @@ class GapWatchAxis {
   /// Takes everything that another watch of the same machine has collected.
   void merge(const GapWatchAxis& other) {
     statistics_.merge(other.statistics_);
-    is_judged_ = false;
+    is_judged_ = is_judging_ = false;
   }
 
   /// Takes a row, or the other one where that sensor was not read. It has to be turned in before the next
@@ -65,11 +65,11 @@ class GapWatchAxis {
   /// One step towards a finding; true where that completes it. No row may be turned before.
   bool judge() {
     if (!is_judging_) {
-      evaluation_.begin(statistics_);
+      evaluation_.begin();
       is_judging_ = true;
       return false;
     }
-    if (!evaluation_.advance()) return false;
+    if (!evaluation_.advance(statistics_)) return false;
     is_judging_ = false;
     is_judged_ = true;
     return true;
@@ -98,7 +98,7 @@ class GapWatchAxis {
     if (!is_sound) return;
     insertion_.row[Statistics::kY] = bounded * row.innovation;
     insertion_.next = 0;
-    is_judged_ = false;
+    is_judged_ = is_judging_ = false;
   }
 
   Observer observer_;

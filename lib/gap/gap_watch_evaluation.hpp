@@ -27,16 +27,19 @@ class GapWatchEvaluation {
   /// The next form in the order of the columns; at most kForms. A form without parts has no column.
   void add(const BoardForm& form) { forms_[form_count_++] = form; }
 
-  void begin(const Statistics& statistics) {
-    statistics_ = statistics;
-    finding_ = {};
+  void begin() {
+    prior_ = {};
+    draft_ = {};
+    copied_ = 0;
     next_ = 0;
     column_ = kParameters;
     best_ = kForms;
   }
 
-  /// One step; true where the finding is complete.
-  bool advance() {
+  /// One step; true where the finding is complete. The statistics must not change between begin() and then.
+  bool advance(const Statistics& statistics) {
+    if (copied_ < Statistics::kWidth) return copy(statistics);
+    if (!prior_.is_done()) return turn_prior();
     if (next_ == 0) excitation_ = least_excitation();
     if (next_ < kParameters)
       expect_parameter(next_);
@@ -82,13 +85,26 @@ class GapWatchEvaluation {
   }
 
   void expect_parameter(std::size_t j) {
-    if (spread_[j] > Real(0)) statistics_.expect_small(j, Real(1) / spread_[j]);
-    if (j + 1 < kParameters) return;
-    whole_ = statistics_.residual(0);
-    rest_ = statistics_.residual(kParameters);
+    if (spread_[j] > Real(0)) prior_ = Statistics::expectation(j, Real(1) / spread_[j]);
+  }
+
+  /// One row of them: a board without a fast memcpy takes long for all.
+  bool copy(const Statistics& statistics) {
+    statistics_.copy_row(copied_++, statistics);
+    return false;
+  }
+
+  /// One column of it: a whole row takes longer than any other step.
+  bool turn_prior() {
+    statistics_.advance(prior_);
+    return false;
   }
 
   void judge_form(std::size_t i) {
+    if (i == 0) {
+      whole_ = statistics_.residual(0);
+      rest_ = statistics_.residual(kParameters);
+    }
     const BoardForm& form = forms_[i];
     const GroupGain<Real> group = gain_of(statistics_, column_, form.parts, kParameters);
     const bool is_possible = !acts_one_way(form.effect) || group.coefficient > Real(0);
@@ -101,16 +117,16 @@ class GapWatchEvaluation {
   }
 
   void judge_alias(std::size_t i) {
-    if (finding_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return;
+    if (draft_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return;
     const Real lead = evidence_[best_] - evidence_[i];
     const Real close = Real(2) * temperature_ * kLogOf20;
     if (lead > close && !resembles_best(i)) return;
-    finding_.alias[finding_.alias_count++] = forms_[i].effect;
+    draft_.alias[draft_.alias_count++] = forms_[i].effect;
   }
 
   [[nodiscard]] bool is_listed(Effect effect) const {
-    const auto end = finding_.alias.begin() + finding_.alias_count;
-    return effect == forms_[best_].effect || std::find(finding_.alias.begin(), end, effect) != end;
+    const auto end = draft_.alias.begin() + draft_.alias_count;
+    return effect == forms_[best_].effect || std::find(draft_.alias.begin(), end, effect) != end;
   }
 
   [[nodiscard]] bool resembles_best(std::size_t i) const {
@@ -119,13 +135,14 @@ class GapWatchEvaluation {
   }
 
   void conclude() {
-    finding_.verdict = verdict();
-    finding_.effect = forms_[best_].effect;
-    finding_.where = group_of(finding_.effect);
-    finding_.evidence = static_cast<float>(
-        finding_.verdict == GapVerdict::kParameterError ? parameter_evidence() : evidence_[best_]);
-    finding_.confidence = static_cast<float>(confidence(evidence_[best_]));
-    if (finding_.verdict != GapVerdict::kEffect) finding_.alias_count = 0;
+    draft_.verdict = verdict();
+    draft_.effect = forms_[best_].effect;
+    draft_.where = group_of(draft_.effect);
+    draft_.evidence = static_cast<float>(
+        draft_.verdict == GapVerdict::kParameterError ? parameter_evidence() : evidence_[best_]);
+    draft_.confidence = static_cast<float>(confidence(evidence_[best_]));
+    if (draft_.verdict != GapVerdict::kEffect) draft_.alias_count = 0;
+    finding_ = draft_;
   }
 
   [[nodiscard]] GapVerdict verdict() const {
@@ -159,7 +176,10 @@ class GapWatchEvaluation {
   Real temperature_;
   Real least_excitation_;
   Statistics statistics_{};
+  typename Statistics::Insertion prior_{};
   GapFinding finding_{};
+  GapFinding draft_{};
+  std::size_t copied_ = 0;  ///< rows of the statistics
   std::array<Real, kForms> evidence_{};
   std::array<Real, kForms> gain_{};
   std::array<std::size_t, kForms> first_{};

@@ -135,12 +135,14 @@ class Monitor {
     write_health();
   }
 
-  /// After the other estimators: what they have found to be no measurement is none for the watch either.
+  /// After the other estimators: what they have found to be no measurement is none for the watch either. A
+  /// frame after a gap has cost them enough; the watch's work waits for the next one.
   void watch_gap(const GuardedFrame& seen) {
     auto& e = estimators_;
     if (!sensors_are_sound()) return e.gap.distrust();
-    constexpr unsigned kBreaks = bits_of(FrameFlag::kTimeJump) | bits_of(FrameFlag::kEstimatorReset);
-    if (seen.is_restart || seen.missing > 0 || (health_.frame_flags & kBreaks) != 0) e.gap.interrupt();
+    const bool is_untimely = (seen.flags & bits_of(FrameFlag::kTimeJump)) != 0;
+    if (seen.is_restart) e.gap.restart();
+    if (seen.is_restart || seen.missing > 0 || is_untimely) return e.gap.interrupt();
     e.gap.step(e.held, static_cast<std::uint16_t>(seen.frame.usable & ~health_.rejected_channels));
   }
 
