@@ -110,7 +110,7 @@ CORPUS = {
     **{f"{key} is no value (gap)": wrong(key, "nan", "not finite") for key in GAP},
     **{f"{key} = 1e30 (gap)": wrong(key, "1e30", "magnitude") for key in GAP},
     "misspelt evidence": misspelt("spindle_evidence", "spindel_evidence"),
-    "gap is a number": ("gap = 3\n" + GOOD, "line 1", "no table"),
+    "gap is a number": ("gap = 3\n" + GOOD[:GOOD.index("[gap]")], "line 1", "no table"),
     "deafening sensor": wrong("noise", "1e6", "magnitude"),
     **{f"no {key}": (without(key), "line ", f"'{key}'") for key in REQUIRED},
     "cold melting point": wrong("melting_degc", 300, "impossible", "400"),
