@@ -56,6 +56,15 @@ class GapWatch {
     if (!is_resting()) begin_stretch();
   }
 
+  /// What was stored last is not to be trusted: it is not used as far as it was not used yet. No row of a
+  /// stretch is used within the first 2 x 144 frames after it.
+  void abandon() {
+    if (is_resting())
+      seen_ = kPieces;
+    else
+      begin_stretch();
+  }
+
   /// Does all that waits at once: takes long, not for an interrupt.
   void finish() {
     if (!is_resting()) seen_ = kPieces;

@@ -45,7 +45,7 @@ class GapWatchAxis {
   /// Takes everything that another watch of the same machine has collected.
   void merge(const GapWatchAxis& other) {
     statistics_.merge(other.statistics_);
-    is_judged_ = false;
+    is_judged_ = is_judging_ = false;
   }
 
   /// Takes a row, or the other one where that sensor was not read. It has to be turned in before the next
@@ -65,11 +65,11 @@ class GapWatchAxis {
   /// One step towards a finding; true where that completes it. No row may be turned before.
   bool judge() {
     if (!is_judging_) {
-      evaluation_.begin(statistics_);
+      evaluation_.begin();
       is_judging_ = true;
       return false;
     }
-    if (!evaluation_.advance()) return false;
+    if (!evaluation_.advance(statistics_)) return false;
     is_judging_ = false;
     is_judged_ = true;
     return true;
@@ -79,6 +79,8 @@ class GapWatchAxis {
   // A row beyond this many standard deviations counts as one of them (Huber).
   static constexpr Real kHuber = 5;
   static constexpr Real kImpossible = Real(1.0e6);
+  // Squares of columns stay in a float; NaN is not below it either.
+  static constexpr Real kLargest = Real(1.0e15);
   // A further row then changes the triangle by 8e-6 of its size: a hundred times a float's last bit.
   static constexpr std::size_t kMostRows = 65536;
 
@@ -88,10 +90,15 @@ class GapWatchAxis {
     const Real size = math::abs(row.innovation * weight);
     if (!(size < kImpossible)) return;
     const Real bounded = size > kHuber ? weight * math::sqrt(kHuber / size) : weight;
-    for (std::size_t j = 0; j < kColumns; ++j) insertion_.row[j] = bounded * row.column[j];
+    bool is_sound = true;
+    for (std::size_t j = 0; j < kColumns; ++j) {
+      insertion_.row[j] = bounded * row.column[j];
+      is_sound &= math::abs(insertion_.row[j]) < kLargest;
+    }
+    if (!is_sound) return;
     insertion_.row[Statistics::kY] = bounded * row.innovation;
     insertion_.next = 0;
-    is_judged_ = false;
+    is_judged_ = is_judging_ = false;
   }
 
   Observer observer_;

@@ -19,21 +19,27 @@ class GapWatchEvaluation {
   /// `spread`: standard deviation of each parameter column, as well as the datasheet knows it; 0: not a
   /// parameter of this machine.
   GapWatchEvaluation(const std::array<Real, kParameters>& spread, const GapLimits& limits)
-      : spread_(spread), limits_(limits) {}
+      : spread_(spread),
+        threshold_(static_cast<Real>(limits.evidence)),
+        temperature_(static_cast<Real>(limits.temperature)),
+        least_excitation_(static_cast<Real>(limits.excitation)) {}
 
   /// The next form in the order of the columns; at most kForms. A form without parts has no column.
   void add(const BoardForm& form) { forms_[form_count_++] = form; }
 
-  void begin(const Statistics& statistics) {
-    statistics_ = statistics;
-    finding_ = {};
+  void begin() {
+    prior_ = {};
+    draft_ = {};
+    copied_ = 0;
     next_ = 0;
     column_ = kParameters;
     best_ = kForms;
   }
 
-  /// One step; true where the finding is complete.
-  bool advance() {
+  /// One step; true where the finding is complete. The statistics must not change between begin() and then.
+  bool advance(const Statistics& statistics) {
+    if (copied_ < Statistics::kWidth) return copy(statistics);
+    if (!prior_.is_done()) return turn_prior();
     if (next_ == 0) excitation_ = least_excitation();
     if (next_ < kParameters)
       expect_parameter(next_);
@@ -50,7 +56,7 @@ class GapWatchEvaluation {
   /// How many times better than from the datasheet the least known parameter is known.
   [[nodiscard]] Real excitation() const { return excitation_; }
   /// How far the finding is beyond what chance makes.
-  [[nodiscard]] Real surplus() const { return static_cast<Real>(finding_.evidence) - threshold(); }
+  [[nodiscard]] Real surplus() const { return static_cast<Real>(finding_.evidence) - threshold_; }
 
  private:
   static constexpr std::size_t kFewestRows = 300;
@@ -65,7 +71,6 @@ class GapWatchEvaluation {
   static constexpr Real kLogOf20 = Real(2.9957323);
 
   [[nodiscard]] Real rows() const { return static_cast<Real>(statistics_.rows()); }
-  [[nodiscard]] Real threshold() const { return static_cast<Real>(limits_.evidence); }
 
   [[nodiscard]] Real evidence(Real before, Real after, Real freedom) const {
     return rows() * math::log(before / std::max(after, Real(1.0e-6) * before)) - freedom * math::log(rows());
@@ -80,13 +85,26 @@ class GapWatchEvaluation {
   }
 
   void expect_parameter(std::size_t j) {
-    if (spread_[j] > Real(0)) statistics_.expect_small(j, Real(1) / spread_[j]);
-    if (j + 1 < kParameters) return;
-    whole_ = statistics_.residual(0);
-    rest_ = statistics_.residual(kParameters);
+    if (spread_[j] > Real(0)) prior_ = Statistics::expectation(j, Real(1) / spread_[j]);
+  }
+
+  /// One row of them: a board without a fast memcpy takes long for all.
+  bool copy(const Statistics& statistics) {
+    statistics_.copy_row(copied_++, statistics);
+    return false;
+  }
+
+  /// One column of it: a whole row takes longer than any other step.
+  bool turn_prior() {
+    statistics_.advance(prior_);
+    return false;
   }
 
   void judge_form(std::size_t i) {
+    if (i == 0) {
+      whole_ = statistics_.residual(0);
+      rest_ = statistics_.residual(kParameters);
+    }
     const BoardForm& form = forms_[i];
     const GroupGain<Real> group = gain_of(statistics_, column_, form.parts, kParameters);
     const bool is_possible = !acts_one_way(form.effect) || group.coefficient > Real(0);
@@ -99,16 +117,16 @@ class GapWatchEvaluation {
   }
 
   void judge_alias(std::size_t i) {
-    if (finding_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return;
+    if (draft_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return;
     const Real lead = evidence_[best_] - evidence_[i];
-    const Real close = Real(2) * static_cast<Real>(limits_.temperature) * kLogOf20;
+    const Real close = Real(2) * temperature_ * kLogOf20;
     if (lead > close && !resembles_best(i)) return;
-    finding_.alias[finding_.alias_count++] = forms_[i].effect;
+    draft_.alias[draft_.alias_count++] = forms_[i].effect;
   }
 
   [[nodiscard]] bool is_listed(Effect effect) const {
-    const auto end = finding_.alias.begin() + finding_.alias_count;
-    return effect == forms_[best_].effect || std::find(finding_.alias.begin(), end, effect) != end;
+    const auto end = draft_.alias.begin() + draft_.alias_count;
+    return effect == forms_[best_].effect || std::find(draft_.alias.begin(), end, effect) != end;
   }
 
   [[nodiscard]] bool resembles_best(std::size_t i) const {
@@ -117,20 +135,21 @@ class GapWatchEvaluation {
   }
 
   void conclude() {
-    finding_.verdict = verdict();
-    finding_.effect = forms_[best_].effect;
-    finding_.where = group_of(finding_.effect);
-    finding_.evidence = static_cast<float>(
-        finding_.verdict == GapVerdict::kParameterError ? parameter_evidence() : evidence_[best_]);
-    finding_.confidence = static_cast<float>(confidence(evidence_[best_]));
-    if (finding_.verdict != GapVerdict::kEffect) finding_.alias_count = 0;
+    draft_.verdict = verdict();
+    draft_.effect = forms_[best_].effect;
+    draft_.where = group_of(draft_.effect);
+    draft_.evidence = static_cast<float>(
+        draft_.verdict == GapVerdict::kParameterError ? parameter_evidence() : evidence_[best_]);
+    draft_.confidence = static_cast<float>(confidence(evidence_[best_]));
+    if (draft_.verdict != GapVerdict::kEffect) draft_.alias_count = 0;
+    finding_ = draft_;
   }
 
   [[nodiscard]] GapVerdict verdict() const {
     if (statistics_.rows() < kFewestRows) return GapVerdict::kNotEnoughData;
-    if (!(excitation_ > static_cast<Real>(limits_.excitation))) return GapVerdict::kInsufficientExcitation;
+    if (!(excitation_ > least_excitation_)) return GapVerdict::kInsufficientExcitation;
     if (is_effect()) return is_explained() ? GapVerdict::kEffect : GapVerdict::kUnexplained;
-    if (parameter_evidence() > threshold()) return GapVerdict::kParameterError;
+    if (parameter_evidence() > threshold_) return GapVerdict::kParameterError;
     return rest_ > kMostResidual * rows() ? GapVerdict::kUnexplained : GapVerdict::kNoGap;
   }
 
@@ -142,20 +161,25 @@ class GapWatchEvaluation {
   }
 
   [[nodiscard]] bool is_effect() const {
-    return evidence_[best_] > threshold() && gain_[best_] > kSecondOrder * (whole_ - rest_);
+    return evidence_[best_] > threshold_ && gain_[best_] > kSecondOrder * (whole_ - rest_);
   }
 
   [[nodiscard]] Real confidence(Real best) const {
-    const Real lead = (best - threshold()) / (Real(2) * static_cast<Real>(limits_.temperature));
+    const Real lead = (best - threshold_) / (Real(2) * temperature_);
     return Real(1) / (Real(1) + math::exp(std::clamp(-lead, Real(-40), Real(40))));
   }
 
   std::array<BoardForm, kForms> forms_{};
   std::size_t form_count_ = 0;
   std::array<Real, kParameters> spread_;
-  GapLimits limits_;
+  Real threshold_;
+  Real temperature_;
+  Real least_excitation_;
   Statistics statistics_{};
+  typename Statistics::Insertion prior_{};
   GapFinding finding_{};
+  GapFinding draft_{};
+  std::size_t copied_ = 0;  ///< rows of the statistics
   std::array<Real, kForms> evidence_{};
   std::array<Real, kForms> gain_{};
   std::array<std::size_t, kForms> first_{};

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "lib/gap/effect.hpp"
 #include "lib/gap/effect_info.hpp"
@@ -19,6 +20,13 @@ enum class GapVerdict : std::uint8_t {
   kEffect = 5,
 };
 
+inline constexpr std::array<std::string_view, 6> kGapVerdictNames{
+    "not_enough_data", "no_gap", "insufficient_excitation", "parameter_error", "unexplained", "effect"};
+
+constexpr std::string_view name_of(GapVerdict verdict) {
+  return kGapVerdictNames[static_cast<std::size_t>(verdict)];
+}
+
 inline constexpr std::size_t kMostAliases = 2;
 
 /// What the watch has found.
@@ -34,9 +42,9 @@ struct GapFinding {
 
 /// What a host has found by simulating the machine without an effect in the same excitation; stored.
 struct GapLimits {
-  float evidence = 25.0F;    ///< that chance does not reach
-  float temperature = 1.0F;  ///< >= 1: how much more evidence chance makes than independent rows would
-  float excitation = 5.0F;   ///< how many times better than from the datasheet each parameter must be known
+  double evidence = 25.0;    ///< > 0, that chance does not reach
+  double temperature = 1.0;  ///< >= 1: how much more evidence chance makes than independent rows would
+  double excitation = 5.0;   ///< > 0: how many times better than its datasheet each parameter must be known
 };
 
 /// Both axes.

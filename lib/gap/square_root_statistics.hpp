@@ -22,12 +22,13 @@ class SquareRootStatistics {
   struct Insertion {
     Row row{};
     std::size_t next = kWidth;  ///< column that is turned next; kWidth: done
+    bool is_measured = true;    ///< counts as one of rows()
     [[nodiscard]] bool is_done() const { return next == kWidth; }
   };
 
   /// Takes a row at once. Finite numbers below 1e18.
   void add(const Row& row) {
-    Insertion insertion{row, 0};
+    Insertion insertion{.row = row, .next = 0};
     while (!advance(insertion)) {
     }
   }
@@ -37,7 +38,7 @@ class SquareRootStatistics {
   bool advance(Insertion& insertion) {
     turn(insertion.next++, insertion.row);
     if (!insertion.is_done()) return false;
-    ++rows_;
+    if (insertion.is_measured) ++rows_;
     return true;
   }
 
@@ -52,10 +53,22 @@ class SquareRootStatistics {
   }
 
   /// A row that is no measurement: `root_precision` times the column's coefficient is 0, give or take one.
+  static Insertion expectation(std::size_t column, Real root_precision) {
+    Insertion insertion{.next = column, .is_measured = false};
+    insertion.row[column] = root_precision;
+    return insertion;
+  }
+  /// Takes it at once.
   void expect_small(std::size_t column, Real root_precision) {
-    Row row{};
-    row[column] = root_precision;
-    for (std::size_t c = column; c < kWidth; ++c) turn(c, row);
+    Insertion insertion = expectation(column, root_precision);
+    while (!advance(insertion)) {
+    }
+  }
+
+  /// One row of the triangle from another one; all rows make a copy of it.
+  void copy_row(std::size_t row, const SquareRootStatistics& other) {
+    for (std::size_t i = start_of(row); i < start_of(row + 1); ++i) factor_[i] = other.factor_[i];
+    rows_ = other.rows_;
   }
 
   /// Everything so far counts a quarter. Exact; before the triangle has grown so much that a float does not

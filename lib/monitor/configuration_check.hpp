@@ -55,6 +55,10 @@ inline ConfigurationResult check_positive(const MonitorConfiguration& c) {
                        {c.grid.first_mm, "grid.first_mm"},
                        {c.grid.step_mm, "grid.step_mm"},
                        {c.wear.low_ratio, "wear.low_ratio"},
+                       {c.gap.spindle.evidence, "gap.spindle_evidence"},
+                       {c.gap.spindle.excitation, "gap.spindle_excitation"},
+                       {c.gap.feed.evidence, "gap.feed_evidence"},
+                       {c.gap.feed.excitation, "gap.feed_excitation"},
                    }),
                    false);
 }
@@ -78,6 +82,11 @@ inline ConfigurationResult check_not_negative(const MonitorConfiguration& c) {
                        {c.wear.watch_ratio - 1.0, "wear.watch_ratio"},
                        {c.wear.replace_ratio - c.wear.watch_ratio, "wear.replace_ratio"},
                        {1.0 - c.wear.low_ratio, "wear.low_ratio"},
+                       {c.gap.speed_process_noise_rad_s, "gap.speed_process_noise_rad_s"},
+                       {c.gap.current_process_noise_a, "gap.current_process_noise_a"},
+                       {c.gap.feed_process_noise_m_s, "gap.feed_process_noise_m_s"},
+                       {c.gap.spindle.temperature - 1.0, "gap.spindle_temperature"},
+                       {c.gap.feed.temperature - 1.0, "gap.feed_temperature"},
                    }),
                    true);
 }

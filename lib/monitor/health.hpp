@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 
+#include "lib/gap/gap_watch_finding.hpp"
 #include "lib/plant/parameter.hpp"
 
 namespace morepro {
@@ -61,6 +62,8 @@ struct Health {
   float innovation_ratio = 0.0F;  ///< windowed mean normalised innovation squared, 1 = as the model expects
 
   std::array<ParameterEstimate, kParameterCount> parameters{};  ///< in the order of Parameter
+
+  gap::GapFinding gap{};  ///< between model and machine, from all that was seen so far
 };
 
 }  // namespace morepro

@@ -31,6 +31,8 @@ class HeldInputs {
       thermal_factor_ = law_.thermal_factor(get(Channel::kToolTemperature));
   }
 
+  /// bit_of(channel) of every channel that was ever usable.
+  [[nodiscard]] std::uint16_t known() const { return known_; }
   [[nodiscard]] bool knows(Channel channel) const { return (known_ & bit_of(channel)) != 0; }
   [[nodiscard]] float get(Channel channel) const { return value_[index_of(channel)]; }
   [[nodiscard]] bool is_in_contact() const { return get(Channel::kContact) > 0.5F; }

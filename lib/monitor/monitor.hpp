@@ -11,6 +11,7 @@
 #include "lib/monitor/configuration_error.hpp"
 #include "lib/monitor/feed_tracker.hpp"
 #include "lib/monitor/frame_guard.hpp"
+#include "lib/monitor/gap_tracker.hpp"
 #include "lib/monitor/health.hpp"
 #include "lib/monitor/held_inputs.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
@@ -25,7 +26,7 @@
 namespace morepro {
 
 /// Everything that runs at every sample, in fixed memory: guard, bank, decision, continuous chip load, feed
-/// axis, identification, verdict. kN: hypotheses that the bank can hold, 1..64.
+/// axis, identification, gap between model and machine, verdict. kN: hypotheses that the bank can hold, 1..64.
 ///
 /// The same frames give the same bits on every machine. step() takes a bounded time and may run in an
 /// interrupt; no call allocates, blocks or reads a clock.
@@ -94,6 +95,7 @@ class Monitor {
           parameters(c),
           wear(c.wear, c.sampling.rate_hz),
           sensor_model(c),
+          gap(c),
           rate_hz(static_cast<float>(c.sampling.rate_hz)) {}
 
     FrameGuard guard;
@@ -104,6 +106,7 @@ class Monitor {
     WearJudge wear;
     SensorWatch sensors;
     SensorModel sensor_model;
+    GapTracker gap;
     RestartWatch restarts;
     float rate_hz;
     float last_speed_rad_s = 0.0F;
@@ -128,7 +131,23 @@ class Monitor {
     e.last_speed_rad_s = frame.has(Channel::kSpindleSpeed) ? frame.get(Channel::kSpindleSpeed)
                                                            : e.spindle.chip_load().speed_rad_s();
     hold_inputs(frame);
+    watch_gap(seen);
     write_health();
+  }
+
+  /// After the other estimators: what they have found to be no measurement is none for the watch either. A
+  /// frame after a gap has cost them enough; the watch's work waits for the next one.
+  void watch_gap(const GuardedFrame& seen) {
+    auto& e = estimators_;
+    if (!sensors_are_sound()) return e.gap.distrust();
+    const bool is_untimely = (seen.flags & bits_of(FrameFlag::kTimeJump)) != 0;
+    if (seen.is_restart) e.gap.restart();
+    if (seen.is_restart || seen.missing > 0 || is_untimely) return e.gap.interrupt();
+    e.gap.step(e.held, static_cast<std::uint16_t>(seen.frame.usable & ~health_.rejected_channels));
+  }
+
+  [[nodiscard]] bool sensors_are_sound() const {
+    return estimators_.sensors.fault() == ReasonCode::kNone && estimators_.sensors.is_fresh();
   }
 
   void restart(const SpindleMeasurement<float>& spindle, const FeedMeasurement<float>& feed) {
@@ -243,6 +262,7 @@ class Monitor {
     health_.feed_speed_m_s = e.feed.filter().speed_m_s();
     health_.innovation_ratio = e.spindle.ratio().value();
     health_.parameters = e.parameters.estimates();
+    health_.gap = e.gap.finding();
   }
 
   /// A decision from fewer frames of a cut is chance, as is one whose error spans more than one hypothesis.
@@ -277,14 +297,25 @@ class Monitor {
   Verdict decide(const ChipLoadEvidence& evidence) {
     auto& wear = estimators_.wear;
     const ReasonCode fault = estimators_.sensors.fault();
-    const bool is_trusted =
-        fault == ReasonCode::kNone && estimators_.sensors.is_fresh() && !has_spindle_gap();
-    if (!is_trusted) wear.distrust();
+    if (!sensors_are_sound() || has_spindle_gap()) wear.distrust();
     if (fault != ReasonCode::kNone) return {HealthState::kSensorFault, fault};
     if (wear.is_worn()) return {HealthState::kReplace, ReasonCode::kWearLoadHigh};
     if (has_spindle_gap()) return {HealthState::kModelGap, ReasonCode::kModelResidual};
     if (has_gap(estimators_.feed.ratio())) return {HealthState::kModelGap, ReasonCode::kModelFeedResidual};
-    return wear.judge(evidence);
+    return with_gap(wear.judge(evidence));
+  }
+
+  /// A gap whose cause is found is said where nothing is wrong with the tool.
+  [[nodiscard]] Verdict with_gap(const Verdict& verdict) const {
+    if (verdict.state != HealthState::kHealthy && verdict.state != HealthState::kNotEnoughData) return verdict;
+    switch (estimators_.gap.finding().verdict) {
+      case gap::GapVerdict::kEffect:
+        return {HealthState::kModelGap, ReasonCode::kModelEffect};
+      case gap::GapVerdict::kUnexplained:
+        return {HealthState::kModelGap, ReasonCode::kModelUnexplained};
+      default:
+        return verdict;
+    }
   }
 
   [[nodiscard]] bool has_spindle_gap() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "lib/frame/channel.hpp"
+#include "lib/gap/gap_watch_finding.hpp"
 #include "lib/plant/built_in_machines.hpp"
 #include "lib/plant/machine_parameters.hpp"
 
@@ -82,6 +83,16 @@ struct WearLimits {
   double datasheet_tolerance = 0.05;  ///< of motor torque and viscous friction, relative, >= 0
 };
 
+/// What a host has found out about the machine for the watch of its gap to the model. How random the machine
+/// is: standard deviation that one sampling interval adds, >= 0.
+struct GapTuning {
+  double speed_process_noise_rad_s = 0.01;  ///< this and the following: 1 % of the sensor's noise
+  double current_process_noise_a = 5.0e-4;
+  double feed_process_noise_m_s = 2.0e-5;
+  gap::GapLimits spindle;
+  gap::GapLimits feed;
+};
+
 /// Everything that a monitor needs to know before its first frame.
 struct MonitorConfiguration {
   MachineParameters machine;
@@ -90,6 +101,7 @@ struct MonitorConfiguration {
   HypothesisGrid grid;
   FilterTuning tuning;
   WearLimits wear;
+  GapTuning gap;
   DecisionRule rule = DecisionRule::kMarkov;
 };
 
@@ -103,6 +115,8 @@ constexpr MonitorConfiguration thesis_configuration() {
   configuration.tuning.speed_process_noise_rad_s = 0.05;
   configuration.tuning.current_process_noise_a = 0.05;
   configuration.tuning.chip_load_drift_mm = 5.0e-4;
+  configuration.gap.speed_process_noise_rad_s = 0.005;
+  configuration.gap.current_process_noise_a = 0.001;
   return configuration;
 }
 

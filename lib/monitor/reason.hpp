@@ -16,6 +16,8 @@ enum class ReasonCode : std::uint16_t {
   kModelResidual = 301,
   kModelFeedResidual = 302,
   kModelOutsideLaw = 303,
+  kModelEffect = 304,
+  kModelUnexplained = 305,
   kWearNoContact = 401,
   kWearSettling = 402,
   kWearAsCommanded = 403,

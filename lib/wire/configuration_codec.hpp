@@ -6,7 +6,7 @@ namespace morepro::wire {
 
 /// First byte of the payload. Another version is refused: a stored configuration is never read as something
 /// else. To be raised with every change of the lists below.
-inline constexpr std::uint8_t kConfigurationLayout = 1;
+inline constexpr std::uint8_t kConfigurationLayout = 2;
 
 template <>
 inline constexpr auto kFields<MachineParameters::Spindle> = std::tuple{
@@ -86,10 +86,26 @@ inline constexpr auto kFields<WearLimits> = std::tuple{
 };
 
 template <>
+inline constexpr auto kFields<gap::GapLimits> = std::tuple{
+    &gap::GapLimits::evidence,
+    &gap::GapLimits::temperature,
+    &gap::GapLimits::excitation,
+};
+
+template <>
+inline constexpr auto kFields<GapTuning> = std::tuple{
+    &GapTuning::speed_process_noise_rad_s,
+    &GapTuning::current_process_noise_a,
+    &GapTuning::feed_process_noise_m_s,
+    &GapTuning::spindle,
+    &GapTuning::feed,
+};
+
+template <>
 inline constexpr auto kFields<MonitorConfiguration> = std::tuple{
     &MonitorConfiguration::machine, &MonitorConfiguration::sensors, &MonitorConfiguration::sampling,
     &MonitorConfiguration::grid,    &MonitorConfiguration::tuning,  &MonitorConfiguration::wear,
-    &MonitorConfiguration::rule,
+    &MonitorConfiguration::gap,     &MonitorConfiguration::rule,
 };
 
 template <>

@@ -1,6 +1,7 @@
 #pragma once
 #include "lib/monitor/health.hpp"
 #include "lib/wire/field_list.hpp"
+#include "lib/wire/gap_codec.hpp"
 
 namespace morepro::wire {
 
@@ -30,6 +31,7 @@ inline constexpr auto kFields<Health> = std::tuple{
     &Health::armature_current_a,
     &Health::innovation_ratio,
     &Health::parameters,
+    &Health::gap,
 };
 
 template <>
@@ -75,6 +77,9 @@ static_assert(kHealthPayload <= 240, "a health message must stay within one run 
 
 /// Equal results are equal bytes: every NaN is sent as the same one.
 inline void write_payload(ByteWriter& writer, const Health& health) { write_fields(writer, health); }
-inline void read_payload(ByteReader& reader, Health& health) { read_fields(reader, health); }
+inline void read_payload(ByteReader& reader, Health& health) {
+  read_fields(reader, health);
+  if (health.gap.alias_count > gap::kMostAliases) reader.reject();
+}
 
 }  // namespace morepro::wire

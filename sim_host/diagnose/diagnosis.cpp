@@ -8,6 +8,7 @@
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/board_watch.hpp"
 #include "sim_host/diagnose/bootstrap.hpp"
 #include "sim_host/diagnose/leftover.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
@@ -75,6 +76,7 @@ class Diagnosis {
     judge();
     rank();
     measure();
+    watch_like_a_board();
     with_effects = machine_with_effects();
     return std::move(result_);
   }
@@ -346,8 +348,33 @@ class Diagnosis {
     result_.where.push_back(absent);
   }
 
+  void watch_like_a_board() {
+    const gap::GapNoise<double> sensors = least_noise(machine_.configuration.sensors);
+    gap::GapSettings settings{.noise = sensors, .spindle = {}, .feed = {}};
+    for (const AxisOutcome& outcome : outcomes_) take_for_board(outcome, settings);
+    result_.board = watch_on_board(signals_, machine_.configuration.machine, settings);
+    result_.board_agrees = agree(result_.board, result_);
+    result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
+  }
+
+  static void take_for_board(const AxisOutcome& outcome, gap::GapSettings& settings) {
+    const gap::GapNoise<double>& noise = outcome.diagnosis.fit.model().noise;
+    const bool is_spindle = outcome.diagnosis.fit.axis() == Axis::kSpindle;
+    gap::GapLimits& limits = is_spindle ? settings.spindle : settings.feed;
+    limits.evidence = std::max(limits.evidence, outcome.chance.quantile99);
+    limits.temperature = std::max(1.0, outcome.chance.temperature);
+    if (is_spindle) {
+      settings.noise.speed_step = noise.speed_step;
+      settings.noise.current_step = noise.current_step;
+    } else {
+      settings.noise.feed_step = noise.feed_step;
+    }
+  }
+
   MachineDescription machine_with_effects() const {
     MachineDescription machine = machine_;
+    machine.configuration.gap = result_.for_board;
+    machine.has_gap = true;
     for (const AxisOutcome& outcome : outcomes_) {
       const MachineParameters& fitted = outcome.diagnosis.fit.model().machine;
       if (outcome.diagnosis.fit.axis() == Axis::kSpindle) machine.configuration.machine.spindle = fitted.spindle;

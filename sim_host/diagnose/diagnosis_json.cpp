@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/gap/effect_catalogue.hpp"
+#include "sim_host/replay/gap_report.hpp"
 
 namespace morepro::host {
 namespace {
@@ -74,6 +75,12 @@ Json shrinkage_of(const Shrinkage& s) {
           {"free_run_nrmse", std::move(free_run)}};
 }
 
+Json board_of(const DiagnosisResult& r) {
+  Json board = gap_json(r.board);
+  board["agrees"] = r.board_agrees;
+  return board;
+}
+
 Json parameters_of(const DiagnosisResult& r) {
   Json parameters = Json::array();
   for (const ParameterResult& p : r.parameters)
@@ -102,6 +109,7 @@ std::string diagnosis_json(const DiagnosisResult& r) {
                   {"which", which_of(r)},
                   {"shrinkage", shrinkage_of(r.shrinkage)},
                   {"parameters", parameters_of(r)},
+                  {"board", board_of(r)},
                   {"threshold",
                    {{"evidence", number(r.threshold_evidence)},
                     {"temperature", number(r.temperature)},

@@ -8,6 +8,7 @@
 
 #include "lib/gap/applied_effect.hpp"
 #include "lib/gap/effect.hpp"
+#include "lib/monitor/monitor_configuration.hpp"
 
 namespace morepro::host {
 
@@ -89,6 +90,9 @@ struct DiagnosisResult {
   double threshold_evidence = 0.0;
   double temperature = 1.0;
   int bootstrap_runs = 0;
+  GapTuning for_board;     ///< what a board needs to know to find the same
+  gap::GapFinding board;   ///< what it then says about this recording
+  bool board_agrees = false;
 };
 
 }  // namespace morepro::host

@@ -59,6 +59,16 @@ FilterTuning tuning_for(const Sensors& sensors, const HypothesisGrid& grid) {
   return tuning;
 }
 
+GapTuning gap_tuning_for(const Sensors& sensors) {
+  constexpr double kShare = 0.01;
+  const auto sigma = [&sensors](Channel channel) { return std::sqrt(sensors[channel].variance()); };
+  GapTuning tuning;
+  tuning.speed_process_noise_rad_s = kShare * sigma(Channel::kSpindleSpeed);
+  tuning.current_process_noise_a = kShare * sigma(Channel::kArmatureCurrent);
+  tuning.feed_process_noise_m_s = kShare * sigma(Channel::kFeedSpeed);
+  return tuning;
+}
+
 void set_rate(MonitorConfiguration& configuration, double rate_hz) {
   const double steps_ratio = configuration.sampling.rate_hz / rate_hz;
   const double noise_ratio = std::sqrt(steps_ratio);
@@ -68,6 +78,10 @@ void set_rate(MonitorConfiguration& configuration, double rate_hz) {
   tuning.feed_process_noise_m_s *= noise_ratio;
   tuning.chip_load_drift_mm *= noise_ratio;
   tuning.switch_probability = std::min(0.1, tuning.switch_probability * steps_ratio);
+  GapTuning& gap = configuration.gap;
+  gap.speed_process_noise_rad_s *= noise_ratio;
+  gap.current_process_noise_a *= noise_ratio;
+  gap.feed_process_noise_m_s *= noise_ratio;
   configuration.sampling.rate_hz = rate_hz;
 }
 

@@ -11,6 +11,10 @@ HypothesisGrid grid_for(const MachineParameters& machine);
 /// that were tuned for the built-in machines.
 FilterTuning tuning_for(const Sensors& sensors, const HypothesisGrid& grid);
 
+/// For the watch of the gap between model and machine, where no diagnosis has found anything out: a machine
+/// that is hardly random.
+GapTuning gap_tuning_for(const Sensors& sensors);
+
 /// The same estimators at another sampling rate: the noise per second stays, the noise per step changes.
 void set_rate(MonitorConfiguration& configuration, double rate_hz);
 

@@ -22,6 +22,7 @@ struct MachineDescription {
   bool has_feed = true;                     ///< [feed]
   bool has_contact = true;  ///< [tool] and [contact]: without them there is no chip load to estimate
   bool has_thermal = true;  ///< [thermal]: without it the contact law does not depend on temperature
+  bool has_gap = false;     ///< [gap]: what a diagnosis has found for the watch on the board
   bool has_rate = true;     ///< [sampling]: without it the recording's rate is taken
   bool is_built_in = true;
   std::uint16_t assumed_noise =

@@ -12,6 +12,7 @@
 #include "lib/monitor/configuration_check.hpp"
 #include "sim_host/machine/effect_tables.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
+#include "sim_host/machine/gap_key.hpp"
 #include "sim_host/machine/machine_key.hpp"
 #include "sim_host/machine/machine_rules.hpp"
 #include "sim_host/support/input_file.hpp"
@@ -20,8 +21,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::array<std::string_view, 9> kTables{"machine", "spindle",  "feed",    "tool",   "contact",
-                                                  "thermal", "sampling", "sensors", "effects"};
+constexpr std::array<std::string_view, 10> kTables{
+    "machine", "spindle", "feed", "tool", "contact", "thermal", "sampling", "sensors", "effects", "gap"};
 
 std::vector<std::string_view> keys_of(std::string_view table) {
   std::vector<std::string_view> names;
@@ -31,6 +32,8 @@ std::vector<std::string_view> keys_of(std::string_view table) {
   if (table == "contact") names.push_back("form");
   if (table == "machine") names.push_back("name");
   if (table == "sampling") names.push_back("rate_hz");
+  if (table == "gap")
+    for (const GapKey& key : gap_keys()) names.push_back(key.key);
   return names;
 }
 
@@ -62,6 +65,7 @@ class MachineFile {
     check_rules(machine_, path_);
     if (const toml::node* effects = root_.get("effects")) read_effects(*effects, path_, machine_);
     choose_estimators();
+    read_gap();
     return std::move(machine_);
   }
 
@@ -257,11 +261,29 @@ class MachineFile {
       refuse(name + ".noise", "is 0 and so is the lsb; no sensor is exact, give one of them");
   }
 
+  // After the choice of the estimators: what was found out is better than what is usual.
+  void read_gap() {
+    const toml::table* table = table_at("gap");
+    machine_.has_gap = table != nullptr;
+    if (table == nullptr) return;
+    check_names(*table, keys_of("gap"), "key", " of [gap]");
+    for (const GapKey& key : gap_keys()) {
+      double& value = key.of(machine_.configuration.gap);
+      value = number(*table, "gap", key.key, value);
+      if (!table->contains(key.key)) continue;
+      if (value > key.lowest || (key.may_be_lowest && value == key.lowest)) continue;
+      refuse(fmt::format("gap.{}", key.key),
+             fmt::format("= {} is impossible; it must be {} {}", value,
+                         key.may_be_lowest ? "at least" : "greater than", key.lowest));
+    }
+  }
+
   void choose_estimators() {
     MonitorConfiguration& configuration = machine_.configuration;
     const double rate_hz = configuration.sampling.rate_hz;
     if (machine_.has_contact) configuration.grid = grid_for(configuration.machine);
     configuration.tuning = tuning_for(configuration.sensors, configuration.grid);
+    configuration.gap = gap_tuning_for(configuration.sensors);
     configuration.sampling = Sampling{};
     set_rate(configuration, rate_hz);
   }

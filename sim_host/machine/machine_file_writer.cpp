@@ -5,6 +5,7 @@
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
+#include "sim_host/machine/gap_key.hpp"
 #include "sim_host/machine/machine_key.hpp"
 
 namespace morepro::host {
@@ -55,6 +56,12 @@ std::string refinement(const gap::AppliedEffect& effect, const gap::AppliedEffec
   return text;
 }
 
+std::string gap_table(GapTuning gap) {
+  std::string text = "\n[gap]\n";
+  for (const GapKey& key : gap_keys()) text += fmt::format("{} = {}\n", key.key, key.of(gap));
+  return text;
+}
+
 std::string effect_table(const gap::AppliedEffect& effect, const MachineParameters& machine) {
   const gap::EffectScales<double> scales(machine, {});
   const double size = gap::size_of(effect, scales);
@@ -78,6 +85,7 @@ std::string machine_file_text(const MachineDescription& machine) {
     text +=
         fmt::format("\n[sensors.{}]\nnoise = {}\nlsb = {}\n", kChannels[i].column, sensor.noise, sensor.lsb);
   }
+  if (machine.has_gap) text += gap_table(machine.configuration.gap);
   for (const gap::AppliedEffect& effect : machine.effects)
     text += effect_table(effect, machine.configuration.machine);
   return text;
@@ -103,6 +111,8 @@ std::string estimator_comments(const MonitorConfiguration& configuration) {
   add("wear_replace_ratio", configuration.wear.replace_ratio);
   add("wear_low_ratio", configuration.wear.low_ratio);
   add("wear_hold_s", configuration.wear.hold_s);
+  GapTuning gap = configuration.gap;
+  for (const GapKey& key : gap_keys()) add(fmt::format("gap.{}", key.key), key.of(gap));
   return text;
 }
 

@@ -25,7 +25,10 @@ std::string_view origin_of(std::string_view key) {
       {"tuning.chip_load_drift_mm", "tool.chip_load_mm"},
       {"tuning.speed_process_noise_rad_s", "sensors.spindle_speed_rad_s.noise"},
       {"tuning.current_process_noise_a", "sensors.armature_current_a.noise"},
-      {"tuning.feed_process_noise_m_s", "sensors.feed_speed_m_s.noise"}};
+      {"tuning.feed_process_noise_m_s", "sensors.feed_speed_m_s.noise"},
+      {"gap.speed_process_noise_rad_s", "sensors.spindle_speed_rad_s.noise"},
+      {"gap.current_process_noise_a", "sensors.armature_current_a.noise"},
+      {"gap.feed_process_noise_m_s", "sensors.feed_speed_m_s.noise"}};
   for (const auto& [chosen, origin] : kOrigins) {
     if (chosen == key) return origin;
   }

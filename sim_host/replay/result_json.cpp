@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/monitor/reason.hpp"
+#include "sim_host/replay/gap_report.hpp"
 #include "sim_host/replay/names.hpp"
 
 namespace morepro::host {
@@ -106,6 +107,7 @@ std::string result_json(const ReplayResult& result) {
                   {"bank", bank_of(result)},
                   {"parameters", parameters_of(result)},
                   {"evaluation", parts_of(result)},
+                  {"gap", gap_json(result.last.gap)},
                   {"health", health_of(result)},
                   {"timing", {{"frames_per_s", std::round(result.frames_per_s())}}}};
   // Bytes that are no UTF-8 can come from a file's name or metadata.

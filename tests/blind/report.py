@@ -22,6 +22,9 @@ TITLES = {
     "share_error_median": "error of the claimed share, median",
     "share_error_90": "error of the claimed share, 90 %",
     "interval_covers": "90 % interval covers the true share",
+    "board": "board = host",
+    "board_when_judged": "  where the board judges at all",
+    "board_refuses": "  the board refuses: too little seen, or too little excitation",
     "failed": "diagnosis failed",
 }
 # (at least, at most) per set.

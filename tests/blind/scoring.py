@@ -3,6 +3,7 @@
 import math
 
 ALARMS = ("effect", "unexplained")
+REFUSALS = ("not_enough_data", "insufficient_excitation")
 MOST_ALIASES = 3
 ONSET_TOLERANCE_S = 1.0
 # Pairs that one recording cannot separate without further excitation; where the true effect was taken out of the
@@ -124,6 +125,14 @@ class Trial:
         # Both sides are estimates: more than all of it is all of it.
         return min(closed / excess, 1.0) if excess > 0.0 else None
 
+    @property
+    def board(self):
+        """What the board's own watch said about the recording; None where nothing was said of it."""
+        return (self.said or {}).get("board")
+
+    def board_refuses(self):
+        return self.board["verdict"] in REFUSALS
+
     def claimed_share(self):
         shrinkage = (self.said or {}).get("shrinkage") or {}
         return shrinkage.get("share_closed"), shrinkage.get("ci90")
@@ -182,6 +191,14 @@ def calibration_rows(trials):
             number("brier_merged", merged_brier, count), number("ece_merged", merged_ece, count)]
 
 
+def board_rows(trials):
+    asked = [t for t in trials if t.board is not None]
+    judged = [t for t in asked if not t.board_refuses()]
+    return [rate("board", asked, lambda t: t.board["agrees"]),
+            rate("board_when_judged", judged, lambda t: t.board["agrees"]),
+            rate("board_refuses", asked, Trial.board_refuses)]
+
+
 def score(trials):
     """All rows of the table for the trials of one set (rich or production)."""
     clean = [t for t in trials if t.kind in ("none", "parameters")]
@@ -206,6 +223,7 @@ def score(trials):
         group = [t for t in singles if t.wanted_ratio == ratio]
         rows.append(rate(f"detected_at_{ratio:g}", group, lambda t: t.is_alarm))
         rows.append(rate(f"right_at_{ratio:g}", [t for t in group if t.is_alarm], Trial.top_is_right))
+    rows += board_rows(trials)
     rows.append(rate("failed", trials, lambda t: t.verdict == "failed"))
     return {row["name"]: row for row in rows}
 

@@ -88,6 +88,16 @@ class ScoringTest(unittest.TestCase):
         answer["where"][1]["onset_s"] = 5.2
         self.assertFalse(Trial(truth, answer).onset_is_right())
 
+    def test_the_board_is_compared_where_it_was_asked(self):
+        answers = [said("effect", "feed_spring") for _ in range(4)]
+        for answer, board in zip(answers, (("effect", True), ("no_gap", False), ("not_enough_data", False), None)):
+            if board is not None:
+                answer["board"] = {"verdict": board[0], "agrees": board[1]}
+        rows = score([Trial(label("single", "feed_spring"), answer) for answer in answers] + [Trial(label("none"), None)])
+        self.assertEqual((rows["board"]["hits"], rows["board"]["trials"]), (1, 3))
+        self.assertEqual((rows["board_when_judged"]["hits"], rows["board_when_judged"]["trials"]), (1, 2))
+        self.assertEqual((rows["board_refuses"]["hits"], rows["board_refuses"]["trials"]), (1, 3))
+
     def test_wilson_agrees_with_a_published_value(self):
         low, high = wilson(81, 263)  # Newcombe 1998, table I, method 3
         self.assertAlmostEqual(low, 0.2553, 4)

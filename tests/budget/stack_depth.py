@@ -44,8 +44,8 @@ def _take_instruction(function, name, line):
     function.is_indirect |= bool(INDIRECT.search(line))
     if re.search(r"\t(push|stmdb\tsp!|vpush)", line):
         function.frame += sum(_width(r) for r in REGISTERS.search(line).group(1).split(","))
-    found = re.search(r"\tsub(?:w|\.w)?\tsp, (?:sp, )?#(\d+)", line)
-    function.frame += int(found.group(1)) if found else 0
+    found = re.search(r"\tsub(?:w|\.w)?\tsp, (?:sp, )?#(\d+)|\tstr\S*\t.*\[sp, #-(\d+)\]!", line)
+    function.frame += int(found.group(1) or found.group(2)) if found else 0
 
 
 def _width(register):

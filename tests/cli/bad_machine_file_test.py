@@ -45,7 +45,22 @@ lsb = 0
 noise = 0.002
 [sensors.armature_current_a]
 noise = 0.05
+[gap]
+speed_process_noise_rad_s = 0.01
+current_process_noise_a = 5e-4
+feed_process_noise_m_s = 2e-5
+spindle_evidence = 25
+spindle_temperature = 1
+spindle_excitation = 5
+feed_evidence = 30
+feed_temperature = 1.5
+feed_excitation = 6
 """
+GAP_NOISE = ["speed_process_noise_rad_s", "current_process_noise_a", "feed_process_noise_m_s"]
+GAP_POSITIVE = ["spindle_evidence", "spindle_excitation", "feed_evidence", "feed_excitation"]
+GAP_TEMPERATURES = ["spindle_temperature", "feed_temperature"]
+GAP = GAP_NOISE + GAP_POSITIVE + GAP_TEMPERATURES
+LINES = GOOD.count("\n")
 POSITIVE = ["torque_constant_nm_a", "back_emf_constant_vs_rad", "resistance_ohm", "inductance_h", "inertia_kgm2",
             "mass_kg", "diameter_mm", "teeth", "chip_load_mm", "speed_scale_rad_s", "exponent"]
 NOT_NEGATIVE = ["viscous_friction_nms_rad", "contact_force_n", "contact_offset_n", "engagement",
@@ -88,6 +103,14 @@ CORPUS = {
     **{f"{key} is infinite": wrong(key, "inf", "not finite") for key in POSITIVE[:4] + NOT_NEGATIVE[:4]},
     **{f"{key} = {value}": wrong(key, value, "magnitude") for value in ("1e300", "1e-300", "1e30", "1e-40")
        for key in POSITIVE + NOT_NEGATIVE},
+    **{f"{key} = -1 (gap)": wrong(key, -1, "impossible", f"gap.{key}") for key in GAP},
+    **{f"{key} = 0 (gap)": wrong(key, 0, "impossible", "greater than 0") for key in GAP_POSITIVE},
+    **{f"{key} = 0.9 (gap)": wrong(key, 0.9, "impossible", "at least 1") for key in GAP_TEMPERATURES},
+    **{f"{key} is text (gap)": wrong(key, '"much"', "no number") for key in GAP},
+    **{f"{key} is no value (gap)": wrong(key, "nan", "not finite") for key in GAP},
+    **{f"{key} = 1e30 (gap)": wrong(key, "1e30", "magnitude") for key in GAP},
+    "misspelt evidence": misspelt("spindle_evidence", "spindel_evidence"),
+    "gap is a number": ("gap = 3\n" + GOOD[:GOOD.index("[gap]")], "line 1", "no table"),
     "deafening sensor": wrong("noise", "1e6", "magnitude"),
     **{f"no {key}": (without(key), "line ", f"'{key}'") for key in REQUIRED},
     "cold melting point": wrong("melting_degc", 300, "impossible", "400"),
@@ -105,16 +128,16 @@ CORPUS = {
     "misspelt teeth": misspelt("teeth", "teath"),
     "misspelt noise": misspelt("noise", "nois"),
     "unknown key": (GOOD.replace("mass_kg", "colour"), "line 11, column 1", "'colour'"),
-    "unknown table": (GOOD + "[spindel]\n", "line 42", "'spindel'", "'spindle'"),
-    "unknown sensor": (GOOD + "[sensors.speed]\nnoise = 1\n", "line 42", "'speed'"),
-    "sensor of an input": (GOOD + "[sensors.feed_force_n]\nnoise = 1\n", "line 42", "'feed_force_n'"),
+    "unknown table": (GOOD + "[spindel]\n", f"line {LINES + 1}", "'spindel'", "'spindle'"),
+    "unknown sensor": (GOOD + "[sensors.speed]\nnoise = 1\n", f"line {LINES + 1}", "'speed'"),
+    "sensor of an input": (GOOD + "[sensors.feed_force_n]\nnoise = 1\n", f"line {LINES + 1}", "'feed_force_n'"),
     "table is a number": ("spindle = 3\n", "line 1", "no table"),
     "sensor is a number": (GOOD.replace("[sensors.armature_current_a]\nnoise", "[sensors]\narmature_current_a"), "line 41",
                            "no table"),
     "contact without tool": (GOOD.replace("[tool]\ndiameter_mm = 10\nteeth = 4\nchip_load_mm = 0.05\n", ""), "[tool]"),
     "no axis": ('[machine]\nname = "nothing"\n', "[spindle]", "[feed]"),
     "empty file": ("", "[spindle]"),
-    "open bracket": (GOOD + "[thermal2\n", "line 42", "TOML"),
+    "open bracket": (GOOD + "[thermal2\n", f"line {LINES + 1}", "TOML"),
     "open text": ('[machine]\nname = "mill\n', "line 2", "TOML"),
     "no value": ("[feed]\nmass_kg =\n", "line 2", "TOML"),
     "decimal comma": ("[feed]\nmass_kg = 3,5\n", "line 2", "TOML"),

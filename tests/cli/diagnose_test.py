@@ -68,6 +68,24 @@ class Verdicts(Diagnose):
         self.assertLessEqual(low, result["shrinkage"]["share_closed"])
         self.assertGreaterEqual(high, result["shrinkage"]["share_closed"])
 
+    def test_a_board_with_what_was_found_says_the_same(self):
+        self.simulate("--effect", "feed_force_offset=2", duration=8)
+        result = self.diagnose("--apply", "found.toml")
+        board = result["board"]
+        self.assertEqual((board["verdict"], board["effect"]), ("effect", "feed_force_offset"))
+        self.assertIn("feed_force_offset", board["alias_set"])
+        self.assertTrue(board["agrees"])
+        stored = (self.folder / "found.toml").read_text()
+        self.assertIn("[gap]", stored)
+        self.assertIn("feed_evidence = ", stored)
+        self.must_do("config", "--machine", "found.toml")
+
+    def test_a_board_that_saw_too_little_says_so(self):
+        self.simulate("--effect", "feed_force_offset=2", duration=1)
+        board = self.diagnose()["board"]
+        self.assertEqual(board["verdict"], "not_enough_data")
+        self.assertFalse(board["agrees"])
+
     def test_says_when_an_effect_set_in(self):
         self.simulate("--effect", "current_bias=0.5,from=3")
         result = self.diagnose()

@@ -5,7 +5,8 @@ import unittest
 
 from program import ProgramTest
 
-REPLAY_KEYS = {"schema", "frames", "chip_load_mm", "bank", "parameters", "health", "timing"}
+REPLAY_KEYS = {"schema", "frames", "chip_load_mm", "bank", "parameters", "gap", "health", "timing"}
+GAP_KEYS = {"verdict", "where", "effect", "alias_set", "confidence", "evidence"}
 
 
 class SimulateAndReplay(ProgramTest):
@@ -34,9 +35,33 @@ class SimulateAndReplay(ProgramTest):
         self.assertLessEqual({"estimate", "standard_error", "state"}, set(result["chip_load_mm"]))
         self.assertLessEqual({"hypotheses_mm", "probability", "selected", "rule"}, set(result["bank"]))
         self.assertLessEqual({"state", "reason"}, set(result["health"]))
+        self.assertEqual(GAP_KEYS, set(result["gap"]))
+        self.assertEqual(result["gap"], {"verdict": "not_enough_data", "where": None, "effect": None, "alias_set": [],
+                                         "confidence": None, "evidence": None})
         self.assertAlmostEqual(sum(result["bank"]["probability"]), 1.0, delta=1e-5)
         for entry in result["parameters"]:
             self.assertLessEqual({"name", "datasheet", "refit", "standard_error", "identifiable", "reason"}, set(entry))
+
+    def test_the_board_names_the_effect_of_a_machine(self):
+        self.must_do("simulate", "--profile", "rich", "--duration", "8", "--seed", "5", "--effect", "feed_force_offset=2",
+                     "--out", "run.mrec")
+        result = self.replay("run.mrec")
+        self.assertEqual(result["gap"]["verdict"], "effect")
+        self.assertEqual(result["gap"]["where"], "feed_force")
+        self.assertEqual(result["gap"]["effect"], "feed_force_offset")
+        self.assertEqual(result["gap"]["alias_set"][0], "feed_force_offset")
+        self.assertGreater(result["gap"]["confidence"], 0.9)
+        self.assertGreater(result["gap"]["evidence"], 25)
+        self.assertEqual(result["health"]["state"], "MODEL_GAP")
+        self.assertIn("MODEL_EFFECT", result["health"]["reason"])
+        self.assertIn("Gap         feed_force_offset", self.must_do("replay", "run.mrec").stdout)
+
+    def test_the_board_finds_no_gap_in_a_machine_like_its_datasheet(self):
+        self.must_do("simulate", "--profile", "rich", "--duration", "8", "--seed", "5", "--out", "run.mrec")
+        result = self.replay("run.mrec")
+        self.assertEqual(result["gap"]["verdict"], "no_gap")
+        self.assertEqual(result["gap"]["alias_set"], [])
+        self.assertIn("Gap         none", self.must_do("replay", "run.mrec").stdout)
 
     def test_a_seed_gives_the_same_file_and_another_seed_another(self):
         for name, seed in (("a.csv", 7), ("b.csv", 7), ("c.csv", 8)):

@@ -11,8 +11,9 @@ morepro_image_test(unit 300)
 if(TARGET watchdog)
   morepro_image_test(watchdog 60)
 endif()
+# Long enough for more than one round of the work on the gap, in contact from a quarter of it on.
 set(frames "${CMAKE_CURRENT_BINARY_DIR}/short.mrec")
-add_test(NAME recording.short COMMAND "${Python3_EXECUTABLE}" "${target_scripts}/synthetic_recording.py" 6000
+add_test(NAME recording.short COMMAND "${Python3_EXECUTABLE}" "${target_scripts}/synthetic_recording.py" 24000
   "${frames}")
 set_tests_properties(recording.short PROPERTIES FIXTURES_SETUP recording_short TIMEOUT 60)
 

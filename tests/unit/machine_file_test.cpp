@@ -9,6 +9,7 @@
 
 #include "lib/monitor/monitor.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
+#include "sim_host/machine/gap_key.hpp"
 #include "sim_host/machine/machine_file_reader.hpp"
 #include "sim_host/machine/machine_file_writer.hpp"
 #include "sim_host/machine/machine_key.hpp"
@@ -51,6 +52,33 @@ TEST(MachineFile, ChoosesTheBuiltInMachinesOwnGrids) {
     EXPECT_NEAR(chosen.step_mm, built_in.step_mm, 1e-12);
     EXPECT_EQ(chosen.count, built_in.count);
   }
+}
+
+TEST(MachineFile, KeepsWhatWasFoundForTheWatch) {
+  MachineDescription written = built_in_machine("reference");
+  written.has_gap = true;
+  double value = 1.25;
+  for (const GapKey& key : gap_keys()) key.of(written.configuration.gap) = value += 1.0;
+  MachineDescription machine = read(machine_file_text(written));
+  EXPECT_TRUE(machine.has_gap);
+  for (const GapKey& key : gap_keys())
+    EXPECT_EQ(key.of(machine.configuration.gap), key.of(written.configuration.gap)) << key.key;
+}
+
+TEST(MachineFile, WithoutAGapTableTheWatchGetsTheBuiltInMachinesOwnSettings) {
+  for (const char* name : {"reference", "thesis"}) {
+    MachineDescription built_in = built_in_machine(name);
+    MachineDescription machine = read(machine_file_text(built_in));
+    EXPECT_FALSE(machine.has_gap);
+    for (const GapKey& key : gap_keys())
+      EXPECT_NEAR(key.of(machine.configuration.gap), key.of(built_in.configuration.gap), 1e-12) << key.key;
+  }
+}
+
+TEST(MachineFile, AGapTableMayStateOnlySomeKeys) {
+  const GapTuning gap = read("[feed]\nmass_kg = 95\n[gap]\nfeed_evidence = 77\n").configuration.gap;
+  EXPECT_EQ(gap.feed.evidence, 77.0);
+  EXPECT_EQ(gap.spindle.evidence, gap::GapLimits{}.evidence);
 }
 
 TEST(MachineFile, DescribesOnlyTheTablesThatAreThere) {

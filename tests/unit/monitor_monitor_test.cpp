@@ -339,7 +339,8 @@ TEST(Reason, EveryCodeHasItsOwnText) {
   std::set<std::string_view> names;
   for (auto code : {ReasonCode::kSensorMissing, ReasonCode::kSensorStuck, ReasonCode::kSensorNotFinite,
                     ReasonCode::kSensorOutOfRange, ReasonCode::kSensorJump, ReasonCode::kModelResidual,
-                    ReasonCode::kModelFeedResidual, ReasonCode::kModelOutsideLaw, ReasonCode::kWearNoContact,
+                    ReasonCode::kModelFeedResidual, ReasonCode::kModelOutsideLaw, ReasonCode::kModelEffect,
+                    ReasonCode::kModelUnexplained, ReasonCode::kWearNoContact,
                     ReasonCode::kWearSettling, ReasonCode::kWearAsCommanded, ReasonCode::kWearLoadRaised,
                     ReasonCode::kWearLoadHigh, ReasonCode::kWearNoReference, ReasonCode::kWearLoadLow}) {
     const auto& text = text_of(code);

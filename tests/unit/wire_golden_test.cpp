@@ -57,6 +57,13 @@ Health golden_health() {
   for (std::size_t k = 0; k < kParameterCount; ++k)
     health.parameters[k] = {0.5F * static_cast<float>(k), 0.25F * static_cast<float>(k),
                             static_cast<ParameterStatus>(k % 6)};
+  health.gap = {.verdict = gap::GapVerdict::kEffect,
+                .where = gap::EffectGroup::kSensor,
+                .effect = gap::Effect::kSpindleSpeedBias,
+                .alias_count = 2,
+                .alias = {gap::Effect::kSupplyVoltageOffset, gap::Effect::kSpindleSpeedBandwidth},
+                .confidence = 0.75F,
+                .evidence = std::numeric_limits<float>::quiet_NaN()};
   return health;
 }
 
@@ -95,6 +102,11 @@ MonitorConfiguration golden_configuration() {
                  .switch_probability = 0.001 * 5,
                  .parameter_start_fraction = 0.001 * 6},
       .wear = {.watch_ratio = 5.25, .replace_ratio = 6.25, .low_ratio = 7.25, .hold_s = 8.25},
+      .gap = {.speed_process_noise_rad_s = 0.125,
+              .current_process_noise_a = 0.25,
+              .feed_process_noise_m_s = 0.375,
+              .spindle = {.evidence = 30.5, .temperature = 2.5, .excitation = 6.5},
+              .feed = {.evidence = 40.5, .temperature = 3.5, .excitation = 7.5}},
       .rule = DecisionRule::kThesis};
   for (std::size_t k = 0; k < kChannelCount; ++k) {
     const auto number = static_cast<double>(k);
@@ -118,12 +130,13 @@ TEST(WireGolden, HealthHasItsBytes) {
   EXPECT_EQ(hex(encoded(golden_health())),
             "030207010103bc02010503940141041001060101020101010202010102010103803d0101043b0b040103603f08"
             "409643cdcc4c3d0103c07f0103a03f0101010101010101010101023f0104803e010103803f0101033f020103c0"
-            "3f0104403f03010102400104803f04010320400104a03f05010340400103c03f050788a19700");
+            "3f0104403f03010102400104803f04010320400104a03f05010340400103c03f07050321021d260103403f0107"
+            "c07f817a23bb00");
 }
 
 TEST(WireGolden, ConfigurationHasItsBytes) {
   EXPECT_EQ(hex(encoded(golden_configuration())),
-            "2303019a9999999999b93f9a9999999999c93f343333333333d33f9a9999999999d93f010101010123e03f3433"
+            "2303029a9999999999b93f9a9999999999c93f343333333333d33f9a9999999999d93f010101010123e03f3433"
             "33333333e33f676666666666e63f9a9999999999e93fcdccccccccccec3f010101010123f03f9a9999999999f1"
             "3f343333333333f33fcdccccccccccf43f676666666666f63f010101010104f83f010101010104803440010101"
             "010480354001010101048036400101010104803740010101010480384001010101048039400101010104803a40"
@@ -134,13 +147,14 @@ TEST(WireGolden, ConfigurationHasItsBytes) {
             "0c805b40ba490c022b87863f010101010cc05b40fa7e6abc7493883f01010101010b5c403ab4c876be9f8a3f01"
             "0101010c405c4079e9263108ac8c3f010101014840bf407b14ae47e17a943fb81e85eb51b88e3f14131211fca9"
             "f1d24d62503ffca9f1d24d62603ffa7e6abc7493683ffca9f1d24d62703f7b14ae47e17a743ffa7e6abc749378"
-            "3f010101010103154001010101010319400101010101031d4001010101118020409a9999999999a93f02b84725"
-            "5c00");
+            "3f010101010103154001010101010319400101010101031d40010101010c8020409a9999999999a93f01010101"
+            "0103c03f010101010103d03f010101010103d83f0101010104803e4001010101010304400101010101031a4001"
+            "010101044044400101010101030c400101010101081e40024b84c45600");
 }
 
 TEST(WireGolden, ControlRecordsHaveTheirBytes) {
-  EXPECT_EQ(hex(encoded(wire::Ready{.protocol_version = 1, .build_id = 0xCAFE0001, .reset_cause = 1})),
-            "0404010108feca01f050576600");
+  EXPECT_EQ(hex(encoded(wire::Ready{.protocol_version = 2, .build_id = 0xCAFE0001, .reset_cause = 1})),
+            "0404020108feca015e22c3e000");
   EXPECT_EQ(hex(encoded(wire::End{.frames = 20000})), "0405204e01059977f4d400");
   EXPECT_EQ(hex(encoded(golden_text())), "18066d616368696e653a207265666572656e6365f119949100");
 }

@@ -140,11 +140,19 @@ struct BadRecord {
   RecordFault fault;
 };
 
+/// Of the gap's fields in a health's payload: they are the last.
+constexpr std::size_t kGapAt = wire::kHealthPayload - wire::wire_size<gap::GapFinding>();
+
 TEST(WireRecord, AnIntactRecordThatMeansNothingIsRefusedByItsCause) {
   Bytes bad_state(wire::kHealthPayload);
   bad_state[8] = 0xFF;
   Bytes bad_status(wire::kHealthPayload);
-  bad_status.back() = 0xFF;
+  bad_status[kGapAt - 1] = 0xFF;
+  const auto bad_gap = [](std::size_t offset, std::uint8_t value) {
+    Bytes bytes(wire::kHealthPayload);
+    bytes[kGapAt + offset] = value;
+    return bytes;
+  };
   Bytes bad_layout(wire::kConfigurationPayload);
   bad_layout[0] = wire::kConfigurationLayout + 1;
   const std::vector<BadRecord> records{
@@ -161,6 +169,11 @@ TEST(WireRecord, AnIntactRecordThatMeansNothingIsRefusedByItsCause) {
       {"a health that is too long", 2, Bytes(wire::kHealthPayload + 1), RecordFault::kLength},
       {"a health in no known state", 2, bad_state, RecordFault::kContent},
       {"a parameter in no known status", 2, bad_status, RecordFault::kContent},
+      {"a gap of no known verdict", 2, bad_gap(0, 6), RecordFault::kContent},
+      {"a gap in no known place", 2, bad_gap(1, 5), RecordFault::kContent},
+      {"a gap by an effect without a name", 2, bad_gap(2, gap::kEffectCount), RecordFault::kContent},
+      {"a gap with more aliases than there is room", 2, bad_gap(3, 3), RecordFault::kContent},
+      {"a gap with an alias without a name", 2, bad_gap(5, gap::kEffectCount), RecordFault::kContent},
       {"a configuration of another layout", 3, bad_layout, RecordFault::kContent},
       {"a text that is too long", 6, Bytes(wire::Text::kMaxSize + 1, 'x'), RecordFault::kLength},
       {"a text with a line break", 6, {'a', '\n', 'b'}, RecordFault::kContent},

@@ -1,0 +1,107 @@
+#include "sim_host/diagnose/board_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "lib/gap/gap_watch.hpp"
+#include "lib/gap/reference_point.hpp"
+#include "sim_host/replay/gap_report.hpp"
+
+namespace morepro::host {
+namespace {
+
+using gap::GapVerdict;
+
+gap::GapFrame<float> rounded(const gap::GapFrame<double>& frame) {
+  const auto to_float = [](double value) { return static_cast<float>(value); };
+  const auto& in = frame.input;
+  gap::GapFrame<float> seen;
+  seen.input = {to_float(in.armature_voltage_v), to_float(in.feed_force_n),
+                in.contact > 0.5 ? 1.0F : 0.0F,  to_float(in.engagement),
+                to_float(in.chip_load_mm),       to_float(in.tool_temperature_degc)};
+  seen.winding_degc = to_float(frame.winding_degc);
+  seen.speed_rad_s = to_float(frame.speed_rad_s);
+  seen.current_a = to_float(frame.current_a);
+  seen.angle_rad = to_float(frame.angle_rad);
+  seen.feed_speed_m_s = to_float(frame.feed_speed_m_s);
+  seen.feed_position_m = to_float(frame.feed_position_m);
+  seen.has_speed = frame.has_speed;
+  seen.has_current = frame.has_current;
+  seen.has_angle = frame.has_angle;
+  seen.has_feed_speed = frame.has_feed_speed;
+  seen.has_feed_position = frame.has_feed_position;
+  return seen;
+}
+
+/// An axis is watched where its input is known: else there is nothing to predict with.
+void hide_what_is_not_driven(const RecordingSignals& signals, gap::GapFrame<float>& frame) {
+  if (!signals.has(Channel::kArmatureVoltage)) frame.has_speed = frame.has_current = false;
+  if (!signals.has(Channel::kFeedForce)) frame.has_feed_speed = frame.has_feed_position = false;
+}
+
+bool is_missing(const RecordingSignals& signals, std::size_t row) {
+  return std::all_of(signals.value.begin(), signals.value.end(), [row](const std::vector<float>& column) {
+    return column.empty() || !(column[row] == column[row]);
+  });
+}
+
+GapVerdict verdict_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNoGap:
+      return GapVerdict::kNoGap;
+    case Verdict::kParameterError:
+      return GapVerdict::kParameterError;
+    case Verdict::kEffect:
+      return GapVerdict::kEffect;
+    case Verdict::kUnexplained:
+      return GapVerdict::kUnexplained;
+    case Verdict::kInsufficientExcitation:
+      break;
+  }
+  return GapVerdict::kInsufficientExcitation;
+}
+
+bool holds(const std::vector<gap::Effect>& effects, gap::Effect effect) {
+  return std::find(effects.begin(), effects.end(), effect) != effects.end();
+}
+
+}  // namespace
+
+gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& machine,
+                               const gap::GapSettings& settings) {
+  const auto watch = std::make_unique<gap::GapWatch<float>>(machine, gap::reference_point_of(machine),
+                                                            1.0 / signals.rate_hz, settings);
+  FrameSource frames(signals, machine, 0);
+  while (frames.row() < signals.rows) {
+    const std::size_t row = frames.row();
+    gap::GapFrame<float> frame = rounded(frames.next());
+    hide_what_is_not_driven(signals, frame);
+    if (is_missing(signals, row))
+      watch->interrupt();
+    else
+      watch->step(frame);
+  }
+  watch->finish();
+  return watch->finding();
+}
+
+GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio) {
+  const double share = std::sqrt(rate_ratio);
+  return {.speed_process_noise_rad_s = share * settings.noise.speed_step,
+          .current_process_noise_a = share * settings.noise.current_step,
+          .feed_process_noise_m_s = share * settings.noise.feed_step,
+          .spindle = settings.spindle,
+          .feed = settings.feed};
+}
+
+bool agree(const gap::GapFinding& board, const DiagnosisResult& host) {
+  if (board.verdict != verdict_of(host.verdict)) return false;
+  if (board.verdict != GapVerdict::kEffect) return true;
+  const std::vector<gap::Effect> named = alias_set(board);
+  return std::any_of(host.which.begin(), host.which.end(), [&](const EffectResult& found) {
+    return holds(found.alias_set, board.effect) || holds(named, found.effect);
+  });
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,19 @@
+#pragma once
+#include "lib/gap/gap_watch_finding.hpp"
+#include "sim_host/diagnose/diagnosis_result.hpp"
+#include "sim_host/diagnose/recording_signals.hpp"
+
+namespace morepro::host {
+
+/// What the board's own watch, in float, says about a recording of this machine with these settings.
+gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& machine,
+                               const gap::GapSettings& settings);
+
+/// The settings as a machine file states them. `rate_ratio`: of the rate that they were found at, over that of
+/// the recording; noise adds up over intervals.
+GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio);
+
+/// The same verdict; and where that names an effect, one side's first name is among the other side's aliases.
+bool agree(const gap::GapFinding& board, const DiagnosisResult& host);
+
+}  // namespace morepro::host
