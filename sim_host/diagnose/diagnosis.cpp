@@ -199,7 +199,8 @@ class Diagnosis {
       case Verdict::kNoGap:
         return "the datasheet's model explains the recording to its noise";
       case Verdict::kParameterError:
-        return "the structure of the model is right, values of the datasheet are not: see the parameters";
+        return "the structure of the model is right, values of the datasheet are not: see the parameters (a wrong gain of a "
+               "sensor would look the same)";
       case Verdict::kEffect:
         return "the named effects explain what the datasheet's model leaves";
       case Verdict::kUnexplained:

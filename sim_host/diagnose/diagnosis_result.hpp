@@ -20,11 +20,11 @@ constexpr std::string_view name_of(Verdict verdict) { return kVerdictNames[stati
 
 /// A part of a recording in which a balance is looked at for itself.
 struct GapCell {
-  std::string_view by;  ///< contact, speed, direction, temperature, frequency or time
+  std::string_view by;  ///< contact, speed, direction, temperature, frequency, order or time
   double from = 0.0;
   double to = 0.0;
   double residual_ratio = 1.0;
-  double p_value = 1.0;
+  double p_value = 1.0;  ///< corrected for the number of cells
 };
 
 struct BalanceResult {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim_host/diagnose/order_cells.hpp"
+#include "sim_host/diagnose/significance.hpp"
 #include "sim_host/diagnose/window_rows.hpp"
 
 namespace morepro::host {
@@ -31,10 +33,6 @@ class WindowMean {
   const RecordingSignals& signals_;
 };
 
-double p_value_of(double ratio, double rows) {
-  return rows > 0.0 ? 0.5 * std::erfc((ratio - 1.0) * std::sqrt(rows * kOverlap / 2.0) / std::sqrt(2.0)) : 1.0;
-}
-
 struct Powers {
   const std::vector<WindowPower>& before;
   const std::vector<WindowPower>& after;
@@ -54,7 +52,7 @@ GapCell cell_of(std::string_view by, double from, double to, const Powers& power
     }
   }
   const double ratio = after > 0.0 ? before / after : 1.0;
-  return {by, from, to, ratio, p_value_of(ratio, rows)};
+  return {by, from, to, ratio, p_value_of(ratio, kOverlap * rows)};
 }
 
 void add_range_cells(std::string_view by, const std::vector<double>& value, const Powers& powers,
@@ -138,6 +136,9 @@ BalanceResult balance_of(const BalanceRows& rows, const AxisDiagnosis& diagnosis
   }
   result.residual_ratio = mean_power(rows.before) / mean_power(rows.after);
   result.cells = cells_of(diagnosis.fit.axis(), diagnosis.fit.signals(), {rows.before, rows.after});
+  const std::vector<GapCell> orders = order_cells(rows.balance, diagnosis);
+  result.cells.insert(result.cells.end(), orders.begin(), orders.end());
+  correct_for_number(result.cells);
   return result;
 }
 
