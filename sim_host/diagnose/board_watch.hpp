@@ -5,7 +5,9 @@
 
 namespace morepro::host {
 
-/// What the board's own watch, in float, says about a recording of this machine with these settings.
+/// What the board's own watch, in float, says about a recording of this machine with these settings. It looks
+/// at 27 ms out of every 1.1 s (at 10 kHz), which is little of a short recording: so the statistics of twelve
+/// watches that look at other moments of it are merged, as of a board that has seen the machine for as long.
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& machine,
                                const gap::GapSettings& settings);
 
