@@ -83,9 +83,7 @@ void show(const RecordingSignals& signals, const MachineParameters& machine, std
   }
 }
 
-}  // namespace
-
-gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& machine,
+gap::GapFinding found_on_board(const RecordingSignals& signals, const MachineParameters& machine,
                                const gap::GapSettings& settings) {
   const auto new_watch = [&] {
     return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / signals.rate_hz, settings);
@@ -99,6 +97,17 @@ gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachinePar
   }
   all->finish();
   return all->finding();
+}
+
+}  // namespace
+
+gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
+                               const MachineParameters& refitted, const gap::GapSettings& settings) {
+  const gap::GapFinding first = found_on_board(signals, datasheet, settings);
+  if (first.verdict != GapVerdict::kParameterError) return first;
+  const gap::GapFinding second = found_on_board(signals, refitted, settings);
+  const bool has_found = second.verdict == GapVerdict::kEffect || second.verdict == GapVerdict::kUnexplained;
+  return has_found ? second : first;
 }
 
 GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio) {
