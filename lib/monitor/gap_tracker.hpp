@@ -17,9 +17,6 @@ class GapTracker {
       : described_(described_by(c.sensors)),
         watch_(c.machine, gap::reference_point_of(c.machine), 1.0 / c.sampling.rate_hz, settings_of(c)) {}
 
-  /// A first frame: nothing stands behind what it shows. Where that was wild, the other estimators notice and
-  /// start again within the next frames, which are not learnt from.
-  void restart() { unproven_ = kUnproven; }
   /// Frames are missing before the next one.
   void interrupt() { watch_.interrupt(); }
   /// A sensor is suspected: neither this frame nor the ones just before it may be learnt from.
@@ -29,10 +26,6 @@ class GapTracker {
   void step(const HeldInputs& held, std::uint16_t usable) {
     if (watch_.is_resting())
       return watch_.rest(held.get(Channel::kSpindleSpeed), held.get(Channel::kFeedSpeed), contact_of(held));
-    if (unproven_ > 0) {
-      --unproven_;
-      return watch_.interrupt();
-    }
     // An input that is missing is not the one that held last.
     if ((held.known() & kInputs & ~unsigned{usable}) != 0) watch_.interrupt();
     if (knows_spindle(held) != knew_spindle_) watch_.interrupt();
@@ -46,7 +39,6 @@ class GapTracker {
   static constexpr unsigned kInputs = bit_of(Channel::kArmatureVoltage) | bit_of(Channel::kFeedForce) |
                                       bit_of(Channel::kContact) | bit_of(Channel::kEngagement) |
                                       bit_of(Channel::kChipLoad) | bit_of(Channel::kToolTemperature);
-  static constexpr std::uint32_t kUnproven = 20;
   static constexpr float kWinding_degc = 25.0F;  ///< where it is not measured: that of the datasheet
 
   static unsigned described_by(const Sensors& sensors) {
@@ -100,7 +92,6 @@ class GapTracker {
   }
 
   unsigned described_;
-  std::uint32_t unproven_ = 0;
   bool knew_spindle_ = false;
   gap::GapWatch<float> watch_;
 };

@@ -136,12 +136,12 @@ class Monitor {
   }
 
   /// After the other estimators: what they have found to be no measurement is none for the watch either. A
-  /// frame after a gap has cost them enough; the watch's work waits for the next one.
+  /// frame after a gap has cost them enough, and behind a first frame stands nothing that could prove it: the
+  /// watch goes on with the next one.
   void watch_gap(const GuardedFrame& seen) {
     auto& e = estimators_;
     if (!sensors_are_sound()) return e.gap.distrust();
     const bool is_untimely = (seen.flags & bits_of(FrameFlag::kTimeJump)) != 0;
-    if (seen.is_restart) e.gap.restart();
     if (seen.is_restart || seen.missing > 0 || is_untimely) return e.gap.interrupt();
     e.gap.step(e.held, static_cast<std::uint16_t>(seen.frame.usable & ~health_.rejected_channels));
   }

@@ -6,8 +6,9 @@ namespace morepro::wire {
 
 template <>
 inline constexpr auto kFields<gap::GapFinding> = std::tuple{
-    &gap::GapFinding::verdict, &gap::GapFinding::where,      &gap::GapFinding::effect,   &gap::GapFinding::alias_count,
-    &gap::GapFinding::alias,   &gap::GapFinding::confidence, &gap::GapFinding::evidence,
+    &gap::GapFinding::verdict,     &gap::GapFinding::where, &gap::GapFinding::effect,
+    &gap::GapFinding::alias_count, &gap::GapFinding::alias, &gap::GapFinding::confidence,
+    &gap::GapFinding::evidence,
 };
 
 template <>

@@ -12,6 +12,7 @@ namespace morepro::host {
 namespace {
 
 using gap::GapVerdict;
+using Watch = gap::GapWatch<float>;
 
 gap::GapFrame<float> rounded(const gap::GapFrame<double>& frame) {
   const auto to_float = [](double value) { return static_cast<float>(value); };
@@ -66,24 +67,47 @@ bool holds(const std::vector<gap::Effect>& effects, gap::Effect effect) {
   return std::find(effects.begin(), effects.end(), effect) != effects.end();
 }
 
-}  // namespace
+// Stretches of 272 frames, the next one after 9272 frames or more: these do not overlap.
+constexpr std::size_t kWatches = 12;
+constexpr std::size_t kShift = 750;
 
-gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& machine,
-                               const gap::GapSettings& settings) {
-  const auto watch = std::make_unique<gap::GapWatch<float>>(machine, gap::reference_point_of(machine),
-                                                            1.0 / signals.rate_hz, settings);
+/// Shows a recording to a watch whose first stretch begins at row `first`.
+void show(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first, Watch& watch) {
   FrameSource frames(signals, machine, 0);
   while (frames.row() < signals.rows) {
     const std::size_t row = frames.row();
     gap::GapFrame<float> frame = rounded(frames.next());
     hide_what_is_not_driven(signals, frame);
-    if (is_missing(signals, row))
-      watch->interrupt();
-    else
-      watch->step(frame);
+    if (!is_missing(signals, row)) watch.step(frame);
+    if (is_missing(signals, row) || row < first) watch.interrupt();
   }
-  watch->finish();
-  return watch->finding();
+}
+
+gap::GapFinding found_on_board(const RecordingSignals& signals, const MachineParameters& machine,
+                               const gap::GapSettings& settings) {
+  const auto new_watch = [&] {
+    return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / signals.rate_hz, settings);
+  };
+  const auto all = new_watch();
+  for (std::size_t k = 0; k < kWatches; ++k) {
+    const auto one = new_watch();
+    show(signals, machine, k * kShift, *one);
+    one->finish();
+    all->merge(*one);
+  }
+  all->finish();
+  return all->finding();
+}
+
+}  // namespace
+
+gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
+                               const MachineParameters& refitted, const gap::GapSettings& settings) {
+  const gap::GapFinding first = found_on_board(signals, datasheet, settings);
+  if (first.verdict != GapVerdict::kParameterError) return first;
+  const gap::GapFinding second = found_on_board(signals, refitted, settings);
+  const bool has_found = second.verdict == GapVerdict::kEffect || second.verdict == GapVerdict::kUnexplained;
+  return has_found ? second : first;
 }
 
 GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio) {

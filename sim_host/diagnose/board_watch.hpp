@@ -5,9 +5,13 @@
 
 namespace morepro::host {
 
-/// What the board's own watch, in float, says about a recording of this machine with these settings.
-gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& machine,
-                               const gap::GapSettings& settings);
+/// What the board's own watch, in float, says about a recording of this machine with these settings. It looks
+/// at 27 ms out of every 1.1 s (at 10 kHz), which is little of a short recording: so the statistics of twelve
+/// watches that look at other moments of it are merged, as of a board that has seen the machine for as long.
+/// Where it says that values of the datasheet are wrong, it is given the `refitted` ones and looks again: an
+/// effect that it then finds is its answer.
+gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
+                               const MachineParameters& refitted, const gap::GapSettings& settings);
 
 /// The settings as a machine file states them. `rate_ratio`: of the rate that they were found at, over that of
 /// the recording; noise adds up over intervals.

@@ -353,7 +353,8 @@ class Diagnosis {
     const gap::GapNoise<double> sensors = least_noise(machine_.configuration.sensors);
     gap::GapSettings settings{.noise = sensors, .spindle = {}, .feed = {}};
     for (const AxisOutcome& outcome : outcomes_) take_for_board(outcome, settings);
-    result_.board = watch_on_board(signals_, machine_.configuration.machine, settings);
+    const MachineParameters refitted = machine_with_effects().configuration.machine;
+    result_.board = watch_on_board(signals_, machine_.configuration.machine, refitted, settings);
     result_.board_agrees = agree(result_.board, result_);
     result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
   }

@@ -81,7 +81,7 @@ class Verdicts(Diagnose):
         self.must_do("config", "--machine", "found.toml")
 
     def test_a_board_that_saw_too_little_says_so(self):
-        self.simulate("--effect", "feed_force_offset=2", duration=1)
+        self.simulate("--effect", "feed_force_offset=2", duration=0.11)
         board = self.diagnose()["board"]
         self.assertEqual(board["verdict"], "not_enough_data")
         self.assertFalse(board["agrees"])

@@ -153,6 +153,18 @@ TEST(GapWatch, BeginsAStretchAnewAfterAGap) {
   EXPECT_EQ(observed, 272);
 }
 
+TEST(GapWatch, AStretchThatIsAbandonedIsNotUsed) {
+  auto watch = test::new_watch<float>(test::gap_configuration().machine, test::gap_settings());
+  GapFrame<float> frame;
+  frame.has_speed = frame.has_current = frame.has_feed_speed = true;
+  while (!watch.is_resting()) watch.step(frame);
+  for (int k = 0; k < 288; ++k) watch.rest(0.0F, 0.0F, 0.0F);
+  watch.abandon();
+  watch.finish();
+  EXPECT_EQ(watch.spindle().statistics().rows(), 0U);
+  EXPECT_EQ(watch.feed().statistics().rows(), 0U);
+}
+
 TEST(GapWatch, KnowsTheGroupOfEveryEffect) {
   for (const EffectInfo& info : kEffects) EXPECT_EQ(group_of(info.effect), info.group) << info.name;
 }

@@ -102,13 +102,14 @@ TEST(MonitorGap, LostFramesAreNoEffect) {
   EXPECT_EQ(monitor->health().gap.verdict, GapVerdict::kNoGap);
 }
 
-/// A sensor that fails again and again, for 0.2 s out of each half second.
+/// A sensor that fails again and again, for 20 ms out of each 120 ms, so that many stretches of the watch see
+/// the beginning of a fault that is not known yet.
 void expect_no_effect_of(Channel sensor, const std::function<void(SensorFrame&)>& fail) {
   auto monitor = new_monitor();
   bool was_a_fault = false;
   const Health health =
       show(*monitor, {.duration_s = 14.0}, [&](std::size_t i, SensorFrame& frame) {
-        if (i % 5000 > 3000) fail(frame);
+        if (i % 1200 > 1000) fail(frame);
         was_a_fault |= monitor->health().state == HealthState::kSensorFault;
       });
   EXPECT_TRUE(was_a_fault) << info_of(sensor).column;
@@ -135,11 +136,32 @@ TEST(MonitorGap, SpikesAreNoEffect) {
   EXPECT_EQ(health.gap.verdict, GapVerdict::kNoGap);
 }
 
+TEST(MonitorGap, AWildFirstFrameIsNoEffect) {
+  const Health health = after({.duration_s = 10.0}, [](std::size_t i, SensorFrame& frame) {
+    if (i == 0) frame.set(Channel::kFeedSpeed, 1.0F);
+  });
+  EXPECT_EQ(health.gap.verdict, GapVerdict::kNoGap);
+}
+
+TEST(MonitorGap, AnInputThatIsMissingIsNotTheOneThatHeldLast) {
+  const Health health = after({.duration_s = 6.0}, [](std::size_t i, SensorFrame& frame) {
+    if (i % 100 == 0) frame.clear(Channel::kArmatureVoltage);
+  });
+  EXPECT_EQ(health.gap.verdict, GapVerdict::kNotEnoughData);
+}
+
+/// In the cut the tool takes twice of the nominal chip load; whether that was commanded is not known.
 TEST(MonitorGap, DoesNotJudgeACutOfUnknownChipLoad) {
-  const auto other_tooth = [](std::size_t, SensorFrame& frame) { frame.clear(Channel::kChipLoad); };
-  const Health health = after({.duration_s = 10.0}, other_tooth);
-  EXPECT_NE(health.gap.verdict, GapVerdict::kEffect);
+  MonitorConfiguration configuration = test::gap_configuration();
+  configuration.machine.tool.chip_load_mm *= 0.5;
+  auto monitor = std::make_unique<BoardMonitor>();
+  ASSERT_TRUE(monitor->configure(configuration).ok());
+  const auto forget = [](std::size_t, SensorFrame& frame) { frame.clear(Channel::kChipLoad); };
+  const Health& health = show(*monitor, {.duration_s = 12.0}, forget);
+  EXPECT_NE(health.gap.verdict, GapVerdict::kNotEnoughData);
+  EXPECT_NE(health.gap.verdict, GapVerdict::kParameterError);
   EXPECT_NE(health.gap.verdict, GapVerdict::kUnexplained);
+  EXPECT_NE(health.gap.verdict, GapVerdict::kEffect);
 }
 
 /// The tool needs the torque of a chip that is thicker than the command, on an axis with an effect.
