@@ -67,6 +67,8 @@ void run(const DiagnoseArguments& arguments) {
   RecordingSignals signals = load_signals(recording, machine.usable_channels());
   check_contact(signals, machine);
   MachineDescription with_effects;
+  StageProgress progress("diagnose", arguments.progress != "off");
+  options.on_progress = [&progress](std::string_view stage, double share) { progress.show(stage, share); };
   DiagnosisResult result = diagnose(std::move(signals), machine, options, with_effects);
   result.file = recording.info().file;
   for (const std::string& notice : result.notices) warn(notice);

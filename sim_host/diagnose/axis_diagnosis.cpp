@@ -87,8 +87,12 @@ bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b
 
 class Search {
  public:
-  Search(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded)
-      : diagnosis_(diagnosis), fit_(diagnosis.fit), left_out_(excluded.begin(), excluded.end()) {}
+  Search(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded,
+         const std::function<void(double)>& on_progress)
+      : diagnosis_(diagnosis),
+        fit_(diagnosis.fit),
+        left_out_(excluded.begin(), excluded.end()),
+        on_progress_(on_progress) {}
 
   void run() {
     fit_.settle();
@@ -116,6 +120,7 @@ class Search {
   }
 
   bool add_one() {
+    on_progress_(static_cast<double>(diagnosis_.found.size()) / static_cast<double>(kMostEffects));
     collect_rest();
     auto ranked = rank_candidates(fit_, diagnosis_.rest, diagnosis_.others);
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
@@ -264,6 +269,7 @@ class Search {
   AxisDiagnosis& diagnosis_;
   AxisFit& fit_;
   std::vector<gap::Effect> left_out_;
+  const std::function<void(double)>& on_progress_;
 };
 
 }  // namespace
@@ -278,10 +284,11 @@ double AxisDiagnosis::needed(const Finding& finding, double usual) const {
 }
 
 AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
-                             std::span<const gap::Effect> excluded, double least_evidence) {
+                             std::span<const gap::Effect> excluded, double least_evidence,
+                             const std::function<void(double)>& on_progress) {
   const AxisFit start(axis, signals, datasheet);
   AxisDiagnosis diagnosis{.fit = start, .nominal = start, .least_evidence = least_evidence};
-  Search(diagnosis, excluded).run();
+  Search(diagnosis, excluded, on_progress).run();
   return diagnosis;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct AxisDiagnosis {
 
 /// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.
 AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
-                             std::span<const gap::Effect> excluded, double least_evidence);
+                             std::span<const gap::Effect> excluded, double least_evidence,
+                             const std::function<void(double share)>& on_progress = [](double) {});
 
 }  // namespace morepro::host

@@ -35,7 +35,6 @@ constexpr double kMisfitOfOneSignal = 0.15;
 constexpr double kTwinShare = 0.4;
 constexpr double kAliasOdds = 20.0;
 constexpr std::size_t kMostAliases = 3;
-constexpr double kLeastGap = 1.005;  // residual ratio of a balance in which the effects act
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
 
@@ -109,8 +108,11 @@ class Diagnosis {
 
   void try_axis(Axis axis) {
     if (!is_evaluable(axis, signals_, machine_) || signals_.rows < kFewestRows) return;
-    options_.on_progress(axis == Axis::kSpindle ? "spindle" : "feed", 0.0);
-    AxisOutcome outcome{search_effects(axis, signals_, datasheet_, options_.excluded, kFixedThreshold), {}, {}};
+    const auto on_progress = [&](double share) {
+      options_.on_progress(axis == Axis::kSpindle ? "effects of the spindle" : "effects of the feed axis", share);
+    };
+    AxisOutcome outcome{
+        search_effects(axis, signals_, datasheet_, options_.excluded, kFixedThreshold, on_progress), {}, {}};
     if (outcome.diagnosis.fit.unlikeliness() == 0.0) return;  // no row could be used
     bootstrap(outcome);
     drop_what_chance_explains(outcome);

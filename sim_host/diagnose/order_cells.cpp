@@ -12,6 +12,8 @@ namespace {
 
 // So long that an order is told from its neighbours at any speed worth the name.
 constexpr std::size_t kRowsPerPiece = 2048;
+constexpr double kFewestTurns = 4.0;
+constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// In ascending order.
 std::vector<int> orders_of(const MachineParameters& machine) {
@@ -42,10 +44,15 @@ std::size_t sensor_of(gap::Balance balance, const RecordingSignals& signals) {
   return signals.has(Channel::kFeedSpeed) ? 1 : 0;
 }
 
-/// Mean power of the innovations of one sensor at every order.
-std::vector<double> powers(const AxisFit& fit, const GapModel& model, std::size_t sensor,
+struct OrderPowers {
+  std::vector<double> power;
+  double pieces = 0.0;
+};
+
+/// Power of the innovations of one sensor at every order, in pieces in which the spindle turns.
+OrderPowers powers(const AxisFit& fit, const GapModel& model, std::size_t sensor,
                            const std::vector<double>& angles, const std::vector<int>& orders) {
-  std::vector<double> power(orders.size(), 0.0);
+  OrderPowers result{.power = std::vector<double>(orders.size(), 0.0)};
   std::vector<std::complex<double>> sum(orders.size());
   std::size_t filled = 0;
   run_observer(fit.axis(), fit.signals(), model, {}, 0, fit.signals().rows, [&](const Innovation& v) {
@@ -58,11 +65,15 @@ std::vector<double> powers(const AxisFit& fit, const GapModel& model, std::size_
       sum[k] += rotated;
     }
     if (++filled < kRowsPerPiece) return;
-    for (std::size_t k = 0; k < orders.size(); ++k) power[k] += std::norm(sum[k]);
+    const double turned = std::fabs(angles[v.row] - angles[v.row - std::min(v.row, kRowsPerPiece)]) / kTurn;
+    if (turned >= kFewestTurns) {
+      for (std::size_t k = 0; k < orders.size(); ++k) result.power[k] += std::norm(sum[k]);
+      result.pieces += 1.0;
+    }
     std::fill(sum.begin(), sum.end(), 0.0);
     filled = 0;
   });
-  return power;
+  return result;
 }
 
 }  // namespace
@@ -74,19 +85,17 @@ std::vector<GapCell> order_cells(gap::Balance balance, const AxisDiagnosis& diag
   if (diagnosis.found.empty()) return cells;  // before is after
   if (!signals.has(Channel::kSpindleSpeed) && !signals.has(Channel::kSpindleAngle)) return cells;
   const std::vector<double> angles = angles_of(signals, fit.model().machine);
-  const double turns = std::fabs(angles.back() - angles.front()) / (2.0 * std::numbers::pi);
-  const double pieces = std::floor(static_cast<double>(signals.rows) / static_cast<double>(kRowsPerPiece));
-  if (turns < pieces || pieces < 2.0) return cells;
   const std::vector<int> orders = orders_of(fit.model().machine);
   const std::size_t sensor = sensor_of(balance, signals);
   GapModel nominal = diagnosis.nominal.model();
   nominal.noise = fit.model().noise;
-  const auto before = powers(fit, nominal, sensor, angles, orders);
-  const auto after = powers(fit, fit.model(), sensor, angles, orders);
+  const OrderPowers before = powers(fit, nominal, sensor, angles, orders);
+  const OrderPowers after = powers(fit, fit.model(), sensor, angles, orders);
+  if (after.pieces < 2.0) return cells;
   for (std::size_t k = 0; k < orders.size(); ++k) {
-    const double ratio = after[k] > 0.0 ? before[k] / after[k] : 1.0;
+    const double ratio = after.power[k] > 0.0 ? before.power[k] / after.power[k] : 1.0;
     const auto order = static_cast<double>(orders[k]);
-    cells.push_back({"order", order, order, ratio, p_value_of(ratio, 2.0 * pieces)});
+    cells.push_back({"order", order, order, ratio, p_value_of(ratio, 2.0 * after.pieces)});
   }
   return cells;
 }

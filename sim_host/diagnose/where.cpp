@@ -136,8 +136,10 @@ BalanceResult balance_of(const BalanceRows& rows, const AxisDiagnosis& diagnosis
   }
   result.residual_ratio = mean_power(rows.before) / mean_power(rows.after);
   result.cells = cells_of(diagnosis.fit.axis(), diagnosis.fit.signals(), {rows.before, rows.after});
-  const std::vector<GapCell> orders = order_cells(rows.balance, diagnosis);
-  result.cells.insert(result.cells.end(), orders.begin(), orders.end());
+  if (result.residual_ratio > kLeastGap) {
+    const std::vector<GapCell> orders = order_cells(rows.balance, diagnosis);
+    result.cells.insert(result.cells.end(), orders.begin(), orders.end());
+  }
   correct_for_number(result.cells);
   return result;
 }

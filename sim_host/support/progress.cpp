@@ -34,4 +34,22 @@ void Progress::show() {
   has_line_ = is_terminal_;
 }
 
+StageProgress::StageProgress(std::string label, bool is_on)
+    : label_(std::move(label)), is_on_(is_on), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+StageProgress::~StageProgress() {
+  if (has_line_) fmt::print(stderr, "\r\033[K");
+}
+
+void StageProgress::show(std::string_view stage, double share) {
+  const auto now = Clock::now();
+  if (!is_on_ || now < next_ || (!is_terminal_ && stage == shown_stage_)) return;
+  next_ = now + std::chrono::milliseconds(200);
+  shown_stage_ = stage;
+  fmt::print(stderr, "{}{}: {}, {:.0f} %{}", is_terminal_ ? "\r\033[K" : "", label_, stage, 100.0 * share,
+             is_terminal_ ? "" : "\n");
+  std::fflush(stderr);
+  has_line_ = is_terminal_;
+}
+
 }  // namespace morepro::host

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace morepro::host {
 
@@ -34,6 +35,28 @@ class Progress {
   std::uint64_t shown_tenths_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_ + std::chrono::seconds(1);
+};
+
+/// The same for a job whose stages are known and whose length is not.
+class StageProgress {
+ public:
+  explicit StageProgress(std::string label, bool is_on);
+  ~StageProgress();
+  StageProgress(const StageProgress&) = delete;
+  StageProgress& operator=(const StageProgress&) = delete;
+
+  /// `share` of the stage that is done, 0 .. 1.
+  void show(std::string_view stage, double share);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string label_;
+  bool is_on_;
+  bool is_terminal_;
+  bool has_line_ = false;
+  std::string shown_stage_;
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
 };
 
 }  // namespace morepro::host
