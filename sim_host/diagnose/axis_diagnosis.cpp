@@ -97,7 +97,8 @@ class Search {
   void run() {
     fit_.settle();
     diagnosis_.nominal = fit_;
-    diagnosis_.least_evidence = std::max(diagnosis_.least_evidence, kLeastShare * evidence_of_known());
+    diagnosis_.known_evidence = evidence_of_known();
+    diagnosis_.least_evidence = std::max(diagnosis_.least_evidence, kLeastShare * diagnosis_.known_evidence);
     while (diagnosis_.found.size() < kMostEffects && add_one()) {
     }
     if (prune() || diagnosis_.found.size() == kMostEffects) collect_rest();
@@ -237,6 +238,10 @@ class Search {
     for (const Finding& other : diagnosis_.found) {
       const bool is_related = family != Family::kNone && family == family_of(other.effect.form.effect);
       enough = std::max(enough, (is_related ? kLeastShareOfFamily : kLeastShare) * other.evidence);
+    }
+    for (const gap::AppliedEffect& known : fit_.model().known) {
+      const bool is_related = family != Family::kNone && family == family_of(known.form.effect);
+      if (is_related) enough = std::max(enough, kLeastShareOfFamily * diagnosis_.known_evidence);
     }
     return diagnosis_.needed(finding, enough);
   }

@@ -20,6 +20,7 @@ struct AxisDiagnosis {
   AxisFit fit;      ///< the model with the effects
   AxisFit nominal;  ///< the model with refitted parameters only
   std::vector<Finding> found{};
+  double known_evidence = 0.0;  ///< of the machine file's effects, all together
   double least_evidence = 0.0;  ///< that an effect needed to be looked at
   std::vector<gap::EffectForm> others{};  ///< candidates beside the findings,
   GapStatistics rest{};                   ///< and the moments of what is left with them

@@ -33,6 +33,7 @@ constexpr double kMisfit = 0.015;
 // Through the speed alone, what brakes the spindle and what takes from its voltage look nearly the same.
 constexpr double kMisfitOfOneSignal = 0.15;
 constexpr double kTwinShare = 0.4;
+constexpr double kShapeError = 0.01;  // of a size, from a shape that is not quite the machine's
 constexpr double kAliasOdds = 20.0;
 constexpr std::size_t kMostAliases = 3;
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
@@ -170,6 +171,7 @@ class Diagnosis {
 
   void judge() {
     double named = 0.0;
+    double known = 0.0;
     double unnamed = 0.0;
     bool has_wrong_parameters = false;
     bool has_excitation = false;
@@ -180,6 +182,7 @@ class Diagnosis {
       const double leftover = outcome.leftover.gain >= kLeastUnnamed ? outcome.leftover.gain : 0.0;
       unnamed += excess_of(leftover);
       named += excess_of(leftover + named_deviance(outcome)) - excess_of(leftover);
+      known += excess_of(std::max(outcome.diagnosis.known_evidence, 0.0));
       has_wrong_parameters |= outcome.parameter_evidence > kFixedThreshold;
       has_excitation |= is_excited(outcome.diagnosis.fit);
     }
@@ -187,7 +190,7 @@ class Diagnosis {
     const bool has_effect = named > 0.0 || !faults_.empty();
     if (!faults_.empty()) unnamed = 0.0;  // what a faulty sampling leaves is no structure of the machine
     if (outcomes_.empty() || !has_excitation) result_.verdict = Verdict::kInsufficientExcitation;
-    else if (unnamed > kUnexplainedShare * (named + unnamed)) result_.verdict = Verdict::kUnexplained;
+    else if (unnamed > kUnexplainedShare * (known + named + unnamed)) result_.verdict = Verdict::kUnexplained;
     else if (has_effect) result_.verdict = Verdict::kEffect;
     else result_.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
     result_.explanation = explanation();
@@ -269,7 +272,7 @@ class Diagnosis {
     const AxisFit& fit = outcome.diagnosis.fit;
     const double share = fit.relative_error_of(finding.effect.form.effect);
     const double by_evidence = 1.0 / std::sqrt(std::max(finding.evidence, 1.0));
-    return (share > 0.0 ? share : by_evidence) * std::sqrt(outcome.chance.temperature);
+    return std::hypot((share > 0.0 ? share : by_evidence) * std::sqrt(outcome.chance.temperature), kShapeError);
   }
 
   bool is_one_signal_for_two(const AxisOutcome& outcome) const {
@@ -337,7 +340,7 @@ class Diagnosis {
     }
     const double left = leftover_in(balance.balance, outcome);
     if (!(left >= 0.5 * outcome.leftover.gain && left > 0.0)) return;
-    balance.is_significant = true;
+    balance.is_significant |= result_.verdict == Verdict::kUnexplained;
     const double rows = static_cast<double>(signals_.rows) / (0.5 * kWindowLength) * kRowsPerWindow;
     balance.residual_ratio *= 1.0 + left / rows;
     balance.residual_ratio_after *= 1.0 + left / rows;

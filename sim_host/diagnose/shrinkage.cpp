@@ -133,7 +133,9 @@ void share_closed(std::span<const BalanceRows> balances, std::span<const Unnamed
   }
   std::sort(low.begin(), low.end());
   std::sort(high.begin(), high.end());
-  shrinkage.interval90 = {(1.0 - kLargestMisfit) * low[kDraws / 20], high[kDraws - 1 - kDraws / 20]};
+  const double lowest_share = (1.0 - kLargestMisfit) * low[kDraws / 20];
+  shrinkage.interval90 = {std::min(lowest_share, shrinkage.share_closed),
+                          std::max(high[kDraws - 1 - kDraws / 20], shrinkage.share_closed)};
 }
 
 void compare_models(const AxisDiagnosis& diagnosis, Shrinkage& shrinkage) {
