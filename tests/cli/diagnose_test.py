@@ -143,6 +143,21 @@ class Applied(Diagnose):
         self.assertIn(second["verdict"], ("no_gap", "parameter_error"))
 
 
+class Display(Diagnose):
+    def test_cells_say_where_in_the_balance(self):
+        self.simulate("--effect", "spindle_cogging=0.1", duration=8)
+        torque = next(b for b in self.diagnose()["where"] if b["balance"] == "spindle_torque")
+        orders = {cell["from"]: cell["residual_ratio"] for cell in torque["cells"] if cell["by"] == "order"}
+        self.assertEqual(max(orders, key=orders.get), 8, orders)
+        contact = {cell["from"]: cell for cell in torque["cells"] if cell["by"] == "contact"}
+        self.assertLess(contact[0]["p_value"], 1e-6)
+
+    def test_progress_goes_to_stderr_and_can_be_switched_off(self):
+        self.simulate("--effect", "feed_force_offset=2", duration=10)
+        self.assertIn("diagnose: ", self.must_do("diagnose", "run.csv", "--bootstrap", 200).stderr)
+        self.assertNotIn("diagnose: ", self.must_do("diagnose", "run.csv", "--bootstrap", 200, "--progress", "off").stderr)
+
+
 class Contract(Diagnose):
     def test_the_same_seed_gives_the_same_bytes(self):
         self.simulate("--effect", "drive_lag=5e-4", duration=2)
@@ -166,19 +181,6 @@ class Contract(Diagnose):
         for models in result["shrinkage"]["one_step_nrmse"].values():
             self.assertEqual(set(models), {"datasheet", "refit", "with_effect", "noise_floor"})
         self.assertEqual(result["threshold"]["bootstrap_runs"], 20)
-
-    def test_cells_say_where_in_the_balance(self):
-        self.simulate("--effect", "spindle_cogging=0.1", duration=8)
-        torque = next(b for b in self.diagnose()["where"] if b["balance"] == "spindle_torque")
-        orders = {cell["from"]: cell["residual_ratio"] for cell in torque["cells"] if cell["by"] == "order"}
-        self.assertEqual(max(orders, key=orders.get), 8, orders)
-        contact = {cell["from"]: cell for cell in torque["cells"] if cell["by"] == "contact"}
-        self.assertLess(contact[0]["p_value"], 1e-6)
-
-    def test_progress_goes_to_stderr_and_can_be_switched_off(self):
-        self.simulate("--effect", "feed_force_offset=2", duration=10)
-        self.assertIn("diagnose: ", self.must_do("diagnose", "run.csv", "--bootstrap", 200).stderr)
-        self.assertNotIn("diagnose: ", self.must_do("diagnose", "run.csv", "--bootstrap", 200, "--progress", "off").stderr)
 
     def test_a_person_can_read_it(self):
         self.simulate("--effect", "feed_force_offset=2", duration=4)
