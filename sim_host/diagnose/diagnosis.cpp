@@ -228,6 +228,7 @@ class Diagnosis {
     for (const SamplingFault& fault : faults_) {
       EffectResult effect{.is_applicable = false, .effect = fault.effect, .confidence = 0.97};
       effect.magnitude = fault.size;
+      effect.standard_error = fault.standard_error;
       effect.evidence = fault.evidence;
       effect.alias_set = {fault.effect};
       if (std::none_of(result_.which.begin(), result_.which.end(),

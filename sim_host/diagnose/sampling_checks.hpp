@@ -14,6 +14,7 @@ struct SamplingFault {
   gap::Effect effect = gap::Effect::kSensorQuantization;
   Channel channel = Channel::kSpindleSpeed;
   double size = 0.0;
+  double standard_error = 0.0;
   double evidence = 0.0;
 };
 
