@@ -8,6 +8,7 @@
 #include "lib/frame/frame_view.hpp"
 #include "lib/plant/contact_law.hpp"
 #include "lib/plant/machine_parameters.hpp"
+#include "lib/plant/plant_state.hpp"
 
 namespace morepro {
 
@@ -37,18 +38,45 @@ class HeldInputs {
   [[nodiscard]] float get(Channel channel) const { return value_[index_of(channel)]; }
   [[nodiscard]] bool is_in_contact() const { return get(Channel::kContact) > 0.5F; }
 
+  /// From now on: what known effects add to voltage and force, so that the nominal machine would move alike.
+  void add(float voltage_v, float force_n) {
+    added_voltage_v_ = voltage_v;
+    added_force_n_ = force_n;
+  }
+
+  /// Inputs of the nominal machine.
   [[nodiscard]] SpindleInput<float> spindle() const {
-    return {get(Channel::kArmatureVoltage), is_in_contact() ? 1.0F : 0.0F, thermal_factor_};
+    return {get(Channel::kArmatureVoltage) + added_voltage_v_, contact(), thermal_factor_};
   }
   [[nodiscard]] FeedInput<float> feed() const {
-    return {get(Channel::kFeedForce), is_in_contact() ? 1.0F : 0.0F, get(Channel::kEngagement)};
+    return {get(Channel::kFeedForce) + added_force_n_, contact(), get(Channel::kEngagement)};
+  }
+  [[nodiscard]] PlantInput<float> nominal() const {
+    PlantInput<float> input = recorded();
+    input.armature_voltage_v += added_voltage_v_;
+    input.feed_force_n += added_force_n_;
+    return input;
+  }
+  /// As they were recorded.
+  [[nodiscard]] PlantInput<float> recorded() const {
+    return {get(Channel::kArmatureVoltage), get(Channel::kFeedForce), contact(), get(Channel::kEngagement),
+            get(Channel::kChipLoad),        get(Channel::kToolTemperature)};
+  }
+  /// 0 or 1.
+  [[nodiscard]] float contact() const { return is_in_contact() ? 1.0F : 0.0F; }
+  [[nodiscard]] float winding_degc() const {
+    return knows(Channel::kWindingTemperature) ? get(Channel::kWindingTemperature) : kWinding_degc;
   }
 
  private:
+  static constexpr float kWinding_degc = 25.0F;  ///< where it is not measured: that of the datasheet
+
   std::array<float, kChannelCount> value_{};
   std::uint16_t known_ = 0;
   ContactLaw<float> law_;
   float thermal_factor_ = 1.0F;
+  float added_voltage_v_ = 0.0F;
+  float added_force_n_ = 0.0F;
 };
 
 }  // namespace morepro
