@@ -126,7 +126,8 @@ inline ConfigurationResult check_effect(const gap::AppliedEffect& one, double ra
   if (!is_finite(shape)) return {kNotFinite, "effects.shape"};
   if (!(shape >= 0.0) || (gap::needs_shape(form.effect) && !(shape > 0.0))) return {kEffectShape, "effects.shape"};
   if (shape > kLargest || (shape > 0.0 && shape < kSmallest)) return {kMagnitude, "effects.shape"};
-  if (gap::is_delay(form.effect) && shape * rate_hz > static_cast<double>(gap::kBoardDelaySteps))
+  constexpr double kLongestDelay = static_cast<double>(gap::kBoardDelaySteps) + 1.0e-3;  // a shape is a float
+  if (gap::is_delay(form.effect) && shape * rate_hz > kLongestDelay)
     return {kEffectDelay, "effects.shape"};
   for (const double coefficient : one.coefficient) {
     if (!is_finite(coefficient)) return {kNotFinite, "effects.coefficients"};

@@ -90,6 +90,18 @@ MachineParameters golden_machine() {
           .thermal = {.reference_degc = 25.5, .melting_degc = 26.5, .exponent = 27.5, .tool_degc = 28.5}};
 }
 
+MachineEffects golden_effects() {
+  MachineEffects effects;
+  effects.count = 2;
+  effects.effect[0] = {.form = {.effect = gap::Effect::kSpindleCogging, .kind = 0, .parts = 2, .shape = 12.0F},
+                       .coefficient = {0.25, -0.5},
+                       .onset_s = 1.5};
+  effects.effect[1] = {.form = {.effect = gap::Effect::kArmatureReaction, .kind = 1, .parts = 1, .shape = 0.0F},
+                       .coefficient = {0.125},
+                       .onset_s = 0.0};
+  return effects;
+}
+
 MonitorConfiguration golden_configuration() {
   MonitorConfiguration configuration{
       .machine = golden_machine(),
@@ -107,6 +119,7 @@ MonitorConfiguration golden_configuration() {
               .feed_process_noise_m_s = 0.375,
               .spindle = {.evidence = 30.5, .temperature = 2.5, .excitation = 6.5},
               .feed = {.evidence = 40.5, .temperature = 3.5, .excitation = 7.5}},
+      .effects = golden_effects(),
       .rule = DecisionRule::kThesis};
   for (std::size_t k = 0; k < kChannelCount; ++k) {
     const auto number = static_cast<double>(k);
