@@ -42,18 +42,18 @@ class KnownEffects {
 
   [[nodiscard]] bool is_empty() const { return count_ == 0; }
 
-  /// The frame of the nominal machine; `room` holds it. To be called once per frame.
-  [[nodiscard]] FrameView take_out(const FrameView& seen, SensorFrame& room) const {
-    room = seen.frame;
-    const auto add = [&room](Channel channel, float value) { room.value[index_of(channel)] += value; };
+  /// The frame of the nominal machine, valid until the next call. To be called once per frame.
+  [[nodiscard]] FrameView take_out(const FrameView& seen) {
+    frame_ = seen.frame;
+    const auto add = [this](Channel channel, float value) { frame_.value[index_of(channel)] += value; };
     add(Channel::kSpindleSpeed, -shown_.speed_rad_s);
     add(Channel::kArmatureCurrent, next_torque_a_ - shown_.current_a);
     add(Channel::kFeedSpeed, -shown_.feed_speed_m_s);
-    return {room, seen.usable};
+    return {frame_, seen.usable};
   }
 
   /// Nothing is known of the interval before this frame: what its sensors add is what they show.
-  void restart(const FrameView& seen) {
+  [[gnu::noinline]] void restart(const FrameView& seen) {
     has_middle_ = false;
     next_torque_a_ = 0.0F;
     gap::EffectSignals<float> signals;
@@ -67,7 +67,8 @@ class KnownEffects {
 
   /// One interval ahead, from the frame whose inputs hold now: from now on `held` has the inputs of the nominal
   /// machine. `measured`: bit_of(channel) of what the frame holds, 0 where it is missing.
-  void look_ahead(const NominalState& nominal, std::uint16_t measured, HeldInputs& held) {
+  /// Not inlined: its variables need no room on the stack while the filters work.
+  [[gnu::noinline]] void look_ahead(const NominalState& nominal, std::uint16_t measured, HeldInputs& held) {
     torque_a_ = next_torque_a_;
     PlantState<float> now{nominal.speed_rad_s, nominal.feed_speed_m_s, nominal.current_a - torque_a_};
     if (!held.knows(Channel::kArmatureVoltage)) now.speed_rad_s = held.get(Channel::kSpindleSpeed);
@@ -220,6 +221,7 @@ class KnownEffects {
   float feed_share_s_ = 0.0F;  ///< a constant acceleration times this is the change of the feed's speed
   Plant<float> plant_;
   Terms terms_;
+  SensorFrame frame_;             ///< as the nominal machine would have shown it
   Sum shown_;                     ///< what the sensors add at the next frame
   float torque_a_ = 0.0F;         ///< torque of the effects at the frame, as the current that would give it
   float next_torque_a_ = 0.0F;    ///< at the next frame

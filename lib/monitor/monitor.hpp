@@ -123,15 +123,8 @@ class Monitor {
     auto& e = estimators_;
     if (!seen.is_restart)
       for (std::uint32_t k = 1; k < seen.periods; ++k) coast();
-    if (e.known.is_empty()) return estimate(seen, seen.frame);
-    if (seen.is_restart) e.known.restart(seen.frame);
-    SensorFrame room;
-    estimate(seen, e.known.take_out(seen.frame, room));
-  }
-
-  /// `frame`: as the nominal machine would have shown it.
-  void estimate(const GuardedFrame& seen, const FrameView& frame) {
-    auto& e = estimators_;
+    if (!e.known.is_empty() && seen.is_restart) e.known.restart(seen.frame);
+    const FrameView frame = e.known.is_empty() ? seen.frame : e.known.take_out(seen.frame);
     auto spindle = e.sensor_model.spindle(frame);
     auto feed = e.sensor_model.feed(frame);
     if (seen.is_restart)
