@@ -70,7 +70,7 @@ class GapTracker {
     const bool spindle = knows_spindle(held);
     const bool feed = held.knows(Channel::kFeedForce);
     gap::GapFrame<float> frame;
-    frame.input = held.nominal();
+    frame.input = held.plant();
     frame.winding_degc = held.winding_degc();
     frame.speed_rad_s = held.get(Channel::kSpindleSpeed);
     frame.current_a = held.get(Channel::kArmatureCurrent);

@@ -38,27 +38,19 @@ class HeldInputs {
   [[nodiscard]] float get(Channel channel) const { return value_[index_of(channel)]; }
   [[nodiscard]] bool is_in_contact() const { return get(Channel::kContact) > 0.5F; }
 
-  /// From now on: what known effects add to voltage and force, so that the nominal machine would move alike.
-  void add(float voltage_v, float force_n) {
-    added_voltage_v_ = voltage_v;
-    added_force_n_ = force_n;
+  /// Another voltage and force hold until the next ones are recorded.
+  void drive(float voltage_v, float force_n) {
+    value_[index_of(Channel::kArmatureVoltage)] = voltage_v;
+    value_[index_of(Channel::kFeedForce)] = force_n;
   }
 
-  /// Inputs of the nominal machine.
   [[nodiscard]] SpindleInput<float> spindle() const {
-    return {get(Channel::kArmatureVoltage) + added_voltage_v_, contact(), thermal_factor_};
+    return {get(Channel::kArmatureVoltage), is_in_contact() ? 1.0F : 0.0F, thermal_factor_};
   }
   [[nodiscard]] FeedInput<float> feed() const {
-    return {get(Channel::kFeedForce) + added_force_n_, contact(), get(Channel::kEngagement)};
+    return {get(Channel::kFeedForce), is_in_contact() ? 1.0F : 0.0F, get(Channel::kEngagement)};
   }
-  [[nodiscard]] PlantInput<float> nominal() const {
-    PlantInput<float> input = recorded();
-    input.armature_voltage_v += added_voltage_v_;
-    input.feed_force_n += added_force_n_;
-    return input;
-  }
-  /// As they were recorded.
-  [[nodiscard]] PlantInput<float> recorded() const {
+  [[nodiscard]] PlantInput<float> plant() const {
     return {get(Channel::kArmatureVoltage), get(Channel::kFeedForce), contact(), get(Channel::kEngagement),
             get(Channel::kChipLoad),        get(Channel::kToolTemperature)};
   }
@@ -75,8 +67,6 @@ class HeldInputs {
   std::uint16_t known_ = 0;
   ContactLaw<float> law_;
   float thermal_factor_ = 1.0F;
-  float added_voltage_v_ = 0.0F;
-  float added_force_n_ = 0.0F;
 };
 
 }  // namespace morepro

@@ -42,27 +42,16 @@ class KnownEffects {
 
   [[nodiscard]] bool is_empty() const { return count_ == 0; }
 
-  /// The frame of the nominal machine, valid until the next call. To be called once per frame.
-  [[nodiscard]] FrameView take_out(const FrameView& seen) {
+  /// The frame of the nominal machine, valid until the next call. To be called once per frame. `is_restart`:
+  /// nothing is known of the interval before it.
+  [[nodiscard, gnu::noinline]] FrameView take_out(const FrameView& seen, bool is_restart) {
+    if (is_restart) restart(seen);
     frame_ = seen.frame;
     const auto add = [this](Channel channel, float value) { frame_.value[index_of(channel)] += value; };
     add(Channel::kSpindleSpeed, -shown_.speed_rad_s);
     add(Channel::kArmatureCurrent, next_torque_a_ - shown_.current_a);
     add(Channel::kFeedSpeed, -shown_.feed_speed_m_s);
     return {frame_, seen.usable};
-  }
-
-  /// Nothing is known of the interval before this frame: what its sensors add is what they show.
-  [[gnu::noinline]] void restart(const FrameView& seen) {
-    has_middle_ = false;
-    next_torque_a_ = 0.0F;
-    gap::EffectSignals<float> signals;
-    signals.time_s = time_s();
-    if (seen.has(Channel::kSpindleSpeed)) signals.speed_rad_s = seen.get(Channel::kSpindleSpeed);
-    if (seen.has(Channel::kArmatureCurrent)) signals.current_a = seen.get(Channel::kArmatureCurrent);
-    if (seen.has(Channel::kFeedSpeed)) signals.feed_speed_m_s = seen.get(Channel::kFeedSpeed);
-    if (seen.has(Channel::kSpindleAngle)) signals.angle_rad = seen.get(Channel::kSpindleAngle);
-    show(signals);
   }
 
   /// One interval ahead, from the frame whose inputs hold now: from now on `held` has the inputs of the nominal
@@ -73,6 +62,7 @@ class KnownEffects {
     PlantState<float> now{nominal.speed_rad_s, nominal.feed_speed_m_s, nominal.current_a - torque_a_};
     if (!held.knows(Channel::kArmatureVoltage)) now.speed_rad_s = held.get(Channel::kSpindleSpeed);
     if (!held.knows(Channel::kFeedForce)) now.feed_speed_m_s = held.get(Channel::kFeedSpeed);
+    take_inputs(measured, held);
     place(measured, held);
     act(now, held);
     ++intervals_;
@@ -94,6 +84,27 @@ class KnownEffects {
   }
 
   [[nodiscard]] float time_s() const { return static_cast<float>(intervals_) * period_s_; }
+
+  /// Where the frame has no voltage or force, `held` still has those of the nominal machine.
+  void take_inputs(std::uint16_t measured, const HeldInputs& held) {
+    const float voltage_v = input_.armature_voltage_v, force_n = input_.feed_force_n;
+    input_ = held.plant();
+    if ((measured & bit_of(Channel::kArmatureVoltage)) == 0) input_.armature_voltage_v = voltage_v;
+    if ((measured & bit_of(Channel::kFeedForce)) == 0) input_.feed_force_n = force_n;
+  }
+
+  /// What the sensors add is what they show.
+  void restart(const FrameView& seen) {
+    has_middle_ = false;
+    next_torque_a_ = 0.0F;
+    Signals signals;
+    signals.time_s = time_s();
+    if (seen.has(Channel::kSpindleSpeed)) signals.speed_rad_s = seen.get(Channel::kSpindleSpeed);
+    if (seen.has(Channel::kArmatureCurrent)) signals.current_a = seen.get(Channel::kArmatureCurrent);
+    if (seen.has(Channel::kFeedSpeed)) signals.feed_speed_m_s = seen.get(Channel::kFeedSpeed);
+    if (seen.has(Channel::kSpindleAngle)) signals.angle_rad = seen.get(Channel::kSpindleAngle);
+    show(signals);
+  }
 
   /// Angle and position: measured, or followed by integration.
   void place(std::uint16_t measured, const HeldInputs& held) {
@@ -150,7 +161,7 @@ class KnownEffects {
 
   /// Of the nominal machine over the interval; an axis whose input is not known goes on as it is.
   [[nodiscard]] PlantState<float> nominal_change(const PlantState<float>& x, const HeldInputs& held) const {
-    const auto linear = plant_.linearise(x, held.recorded());
+    const auto linear = plant_.linearise(x, input_);
     const auto& rate = linear.derivative;
     PlantState<float> change;
     if (held.knows(Channel::kArmatureVoltage)) {
@@ -177,8 +188,8 @@ class KnownEffects {
     has_middle_ = true;
     const float of_torque_v = 0.5F * k.resistance_ohm * (torque_a_ + next_torque_a_) +
                               k.inductance_h * (next_torque_a_ - torque_a_) / period_s_;
-    held.add(bounded(added.voltage_v, Channel::kArmatureVoltage) + of_torque_v,
-             bounded(added.force_n, Channel::kFeedForce));
+    held.drive(input_.armature_voltage_v + bounded(added.voltage_v, Channel::kArmatureVoltage) + of_torque_v,
+               input_.feed_force_n + bounded(added.force_n, Channel::kFeedForce));
   }
 
   /// Angle and position at the interval's end. The angle starts anew after so many turns, a float's worth.
@@ -198,20 +209,19 @@ class KnownEffects {
   }
 
   [[nodiscard]] Signals signals_of(const HeldInputs& held, const PlantState<float>& x) const {
-    const PlantInput<float> input = held.recorded();
     Signals s;
     s.time_s = time_s();
     s.cutting_time_s = static_cast<float>(cutting_intervals_) * period_s_;
-    s.armature_voltage_v = input.armature_voltage_v;
-    s.feed_force_n = input.feed_force_n;
-    s.contact = input.contact;
-    s.chip_load_mm = input.chip_load_mm;
+    s.armature_voltage_v = input_.armature_voltage_v;
+    s.feed_force_n = input_.feed_force_n;
+    s.contact = input_.contact;
+    s.chip_load_mm = input_.chip_load_mm;
     s.speed_rad_s = x.speed_rad_s;
     s.angle_rad = angle_rad_;
     s.current_a = x.current_a;
     s.feed_speed_m_s = x.feed_speed_m_s;
     s.feed_position_m = position_m_;
-    s.tool_degc = input.tool_temperature_degc;
+    s.tool_degc = input_.tool_temperature_degc;
     s.winding_degc = held.winding_degc();
     return s;
   }
@@ -221,6 +231,7 @@ class KnownEffects {
   float feed_share_s_ = 0.0F;  ///< a constant acceleration times this is the change of the feed's speed
   Plant<float> plant_;
   Terms terms_;
+  PlantInput<float> input_;       ///< as recorded
   SensorFrame frame_;             ///< as the nominal machine would have shown it
   Sum shown_;                     ///< what the sensors add at the next frame
   float torque_a_ = 0.0F;         ///< torque of the effects at the frame, as the current that would give it

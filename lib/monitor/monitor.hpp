@@ -123,8 +123,7 @@ class Monitor {
     auto& e = estimators_;
     if (!seen.is_restart)
       for (std::uint32_t k = 1; k < seen.periods; ++k) coast();
-    if (!e.known.is_empty() && seen.is_restart) e.known.restart(seen.frame);
-    const FrameView frame = e.known.is_empty() ? seen.frame : e.known.take_out(seen.frame);
+    const FrameView frame = e.known.is_empty() ? seen.frame : e.known.take_out(seen.frame, seen.is_restart);
     auto spindle = e.sensor_model.spindle(frame);
     auto feed = e.sensor_model.feed(frame);
     if (seen.is_restart)
