@@ -15,6 +15,14 @@ struct AppliedEffect {
   double onset_s = 0.0;                          ///< sets in at this time of a recording
 };
 
+/// Does it add anything? A size of zero, of a coefficient or a shape, is no effect.
+inline bool has_size(const AppliedEffect& effect) {
+  if (needs_shape(effect.form.effect) && !(effect.form.shape > 0.0F)) return false;
+  bool is_any = false;
+  for (std::size_t i = 0; i < effect.form.parts; ++i) is_any |= effect.coefficient[i] != 0.0;
+  return is_any;
+}
+
 /// The parts of one applied effect, stepped together.
 template <class Real, std::size_t kDelaySteps>
 class AppliedTerm {

@@ -31,6 +31,29 @@ constexpr bool size_is_shape(Effect effect) {
   }
 }
 
+/// Is there no law without a shape that is greater than 0?
+constexpr bool needs_shape(Effect effect) {
+  switch (effect) {
+    case Effect::kSpindleCoulombFriction:
+    case Effect::kSpindleStribeckFriction:
+    case Effect::kSpindleCogging:
+    case Effect::kShaftCompliance:
+    case Effect::kFeedCoulombFriction:
+    case Effect::kFeedStribeckFriction:
+    case Effect::kFeedPresliding:
+    case Effect::kBrushVoltageDrop:
+      return true;
+    default:
+      return size_is_shape(effect);
+  }
+}
+
+/// Is it a delay by whole and broken samples, which takes a memory as long as itself?
+constexpr bool is_delay(Effect effect) {
+  return effect == Effect::kSpindleSpeedDelay || effect == Effect::kCurrentDelay ||
+         effect == Effect::kFeedSpeedDelay;
+}
+
 /// Can the effect act in one direction only? Friction brakes, a lag lags, a play is not negative.
 constexpr bool acts_one_way(Effect effect) {
   switch (effect) {

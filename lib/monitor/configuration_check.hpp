@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lib/gap/board_forms.hpp"
 #include "lib/monitor/configuration_error.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 #include "lib/plant/contact_law.hpp"
@@ -116,7 +117,38 @@ inline ConfigurationResult check_ranges(const MonitorConfiguration& c, std::size
   return {};
 }
 
+inline ConfigurationResult check_effect(const gap::AppliedEffect& one, double rate_hz) {
+  using enum ConfigurationError;
+  const auto& form = one.form;
+  const auto shape = static_cast<double>(form.shape);
+  if (gap::index_of(form.effect) >= gap::kEffectCount) return {kEffectUnknown, "effects.name"};
+  if (form.parts < 1 || form.parts > gap::kMostParts) return {kEffectParts, "effects.coefficients"};
+  if (!is_finite(shape)) return {kNotFinite, "effects.shape"};
+  if (!(shape >= 0.0) || (gap::needs_shape(form.effect) && !(shape > 0.0))) return {kEffectShape, "effects.shape"};
+  if (shape > kLargest || (shape > 0.0 && shape < kSmallest)) return {kMagnitude, "effects.shape"};
+  constexpr double kLongestDelay = static_cast<double>(gap::kBoardDelaySteps) + 1.0e-3;  // a shape is a float
+  if (gap::is_delay(form.effect) && shape * rate_hz > kLongestDelay)
+    return {kEffectDelay, "effects.shape"};
+  for (const double coefficient : one.coefficient) {
+    if (!is_finite(coefficient)) return {kNotFinite, "effects.coefficients"};
+    if (coefficient > kLargest || coefficient < -kLargest) return {kMagnitude, "effects.coefficients"};
+  }
+  return check_all(std::array<CheckedValue, 1>{{{one.onset_s, "effects.onset_s"}}}, true);
+}
+
+inline ConfigurationResult check_effects(const MonitorConfiguration& c) {
+  if (c.effects.count > MachineEffects::kMost) return {ConfigurationError::kEffectCount, "effects"};
+  for (std::size_t i = 0; i < c.effects.count; ++i)
+    if (const auto result = check_effect(c.effects.effect[i], c.sampling.rate_hz); !result.ok()) return result;
+  return {};
+}
+
 }  // namespace detail
+
+/// Is one effect such that a monitor at this sampling rate can take it out of its frames?
+inline ConfigurationResult check_effect(const gap::AppliedEffect& effect, double rate_hz) {
+  return detail::check_effect(effect, rate_hz);
+}
 
 /// Is every value of a configuration possible? `capacity`: hypotheses that the bank can hold. Returns the
 /// first refusal with its key.
@@ -124,7 +156,8 @@ inline ConfigurationResult check(const MonitorConfiguration& configuration, std:
   if (const auto result = detail::check_positive(configuration); !result.ok()) return result;
   if (const auto result = detail::check_not_negative(configuration); !result.ok()) return result;
   if (const auto result = detail::check_sensors(configuration.sensors); !result.ok()) return result;
-  return detail::check_ranges(configuration, capacity);
+  if (const auto result = detail::check_ranges(configuration, capacity); !result.ok()) return result;
+  return detail::check_effects(configuration);
 }
 
 }  // namespace morepro

@@ -16,6 +16,11 @@ enum class ConfigurationError : std::uint8_t {
   kThermalRange = 7,
   kNotAProbability = 8,
   kMagnitude = 9,
+  kEffectCount = 10,
+  kEffectUnknown = 11,
+  kEffectParts = 12,
+  kEffectShape = 13,
+  kEffectDelay = 14,
 };
 
 /// The refusal, and the key of the machine file that it is about.

@@ -25,7 +25,7 @@ class GapTracker {
   /// One frame. `held`: its inputs and what was measured last; `usable`: bit_of(channel) of what may be used.
   void step(const HeldInputs& held, std::uint16_t usable) {
     if (watch_.is_resting())
-      return watch_.rest(held.get(Channel::kSpindleSpeed), held.get(Channel::kFeedSpeed), contact_of(held));
+      return watch_.rest(held.get(Channel::kSpindleSpeed), held.get(Channel::kFeedSpeed), held.contact());
     // An input that is missing is not the one that held last.
     if ((held.known() & kInputs & ~unsigned{usable}) != 0) watch_.interrupt();
     if (knows_spindle(held) != knew_spindle_) watch_.interrupt();
@@ -39,7 +39,6 @@ class GapTracker {
   static constexpr unsigned kInputs = bit_of(Channel::kArmatureVoltage) | bit_of(Channel::kFeedForce) |
                                       bit_of(Channel::kContact) | bit_of(Channel::kEngagement) |
                                       bit_of(Channel::kChipLoad) | bit_of(Channel::kToolTemperature);
-  static constexpr float kWinding_degc = 25.0F;  ///< where it is not measured: that of the datasheet
 
   static unsigned described_by(const Sensors& sensors) {
     unsigned bits = 0;
@@ -60,8 +59,6 @@ class GapTracker {
     return settings;
   }
 
-  static float contact_of(const HeldInputs& held) { return held.is_in_contact() ? 1.0F : 0.0F; }
-
   /// What the spindle is driven with and cuts is known. In the air nothing is cut.
   static bool knows_spindle(const HeldInputs& held) {
     return held.knows(Channel::kArmatureVoltage) &&
@@ -73,11 +70,8 @@ class GapTracker {
     const bool spindle = knows_spindle(held);
     const bool feed = held.knows(Channel::kFeedForce);
     gap::GapFrame<float> frame;
-    frame.input = {held.get(Channel::kArmatureVoltage), held.get(Channel::kFeedForce), contact_of(held),
-                   held.get(Channel::kEngagement),      held.get(Channel::kChipLoad),
-                   held.get(Channel::kToolTemperature)};
-    frame.winding_degc =
-        held.knows(Channel::kWindingTemperature) ? held.get(Channel::kWindingTemperature) : kWinding_degc;
+    frame.input = held.plant();
+    frame.winding_degc = held.winding_degc();
     frame.speed_rad_s = held.get(Channel::kSpindleSpeed);
     frame.current_a = held.get(Channel::kArmatureCurrent);
     frame.angle_rad = held.get(Channel::kSpindleAngle);

@@ -8,6 +8,7 @@
 #include "lib/frame/frame_view.hpp"
 #include "lib/plant/contact_law.hpp"
 #include "lib/plant/machine_parameters.hpp"
+#include "lib/plant/plant_state.hpp"
 
 namespace morepro {
 
@@ -37,14 +38,31 @@ class HeldInputs {
   [[nodiscard]] float get(Channel channel) const { return value_[index_of(channel)]; }
   [[nodiscard]] bool is_in_contact() const { return get(Channel::kContact) > 0.5F; }
 
+  /// Another voltage and force hold until the next ones are recorded.
+  void drive(float voltage_v, float force_n) {
+    value_[index_of(Channel::kArmatureVoltage)] = voltage_v;
+    value_[index_of(Channel::kFeedForce)] = force_n;
+  }
+
   [[nodiscard]] SpindleInput<float> spindle() const {
     return {get(Channel::kArmatureVoltage), is_in_contact() ? 1.0F : 0.0F, thermal_factor_};
   }
   [[nodiscard]] FeedInput<float> feed() const {
     return {get(Channel::kFeedForce), is_in_contact() ? 1.0F : 0.0F, get(Channel::kEngagement)};
   }
+  [[nodiscard]] PlantInput<float> plant() const {
+    return {get(Channel::kArmatureVoltage), get(Channel::kFeedForce), contact(), get(Channel::kEngagement),
+            get(Channel::kChipLoad),        get(Channel::kToolTemperature)};
+  }
+  /// 0 or 1.
+  [[nodiscard]] float contact() const { return is_in_contact() ? 1.0F : 0.0F; }
+  [[nodiscard]] float winding_degc() const {
+    return knows(Channel::kWindingTemperature) ? get(Channel::kWindingTemperature) : kWinding_degc;
+  }
 
  private:
+  static constexpr float kWinding_degc = 25.0F;  ///< where it is not measured: that of the datasheet
+
   std::array<float, kChannelCount> value_{};
   std::uint16_t known_ = 0;
   ContactLaw<float> law_;

@@ -14,6 +14,7 @@
 #include "lib/monitor/gap_tracker.hpp"
 #include "lib/monitor/health.hpp"
 #include "lib/monitor/held_inputs.hpp"
+#include "lib/monitor/known_effects.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 #include "lib/monitor/parameter_tracker.hpp"
 #include "lib/monitor/reason.hpp"
@@ -90,6 +91,7 @@ class Monitor {
     explicit Estimators(const MonitorConfiguration& c)
         : guard(c.sampling.rate_hz),
           held(c.machine),
+          known(c),
           spindle(c),
           feed(c),
           parameters(c),
@@ -100,6 +102,7 @@ class Monitor {
 
     FrameGuard guard;
     HeldInputs held;
+    KnownEffects known;
     SpindleTracker<kN> spindle;
     FeedTracker feed;
     ParameterTracker parameters;
@@ -118,21 +121,31 @@ class Monitor {
 
   void process(const GuardedFrame& seen) {
     auto& e = estimators_;
-    const FrameView& frame = seen.frame;
+    if (!seen.is_restart)
+      for (std::uint32_t k = 1; k < seen.periods; ++k) coast();
+    const FrameView frame = e.known.is_empty() ? seen.frame : e.known.take_out(seen.frame, seen.is_restart);
     auto spindle = e.sensor_model.spindle(frame);
     auto feed = e.sensor_model.feed(frame);
-    if (seen.is_restart) {
+    if (seen.is_restart)
       restart(spindle, feed);
-    } else {
-      for (std::uint32_t k = 1; k < seen.periods; ++k) coast();
+    else
       step_estimators(spindle, feed, acceleration(frame));
-    }
     e.sensors.step(frame.usable, seen.rejected, seen.flags);
     e.last_speed_rad_s = frame.has(Channel::kSpindleSpeed) ? frame.get(Channel::kSpindleSpeed)
                                                            : e.spindle.chip_load().speed_rad_s();
     hold_inputs(frame);
+    look_ahead(frame.usable);
     watch_gap(seen);
     write_health();
+  }
+
+  /// Inputs of the nominal machine for the interval that begins.
+  void look_ahead(std::uint16_t measured) {
+    auto& e = estimators_;
+    if (e.known.is_empty()) return;
+    const auto& spindle = e.spindle.chip_load();
+    e.known.look_ahead({spindle.speed_rad_s(), spindle.current_a(), e.feed.filter().speed_m_s()}, measured,
+                       e.held);
   }
 
   /// After the other estimators: what they have found to be no measurement is none for the watch either. A
@@ -161,6 +174,7 @@ class Monitor {
     if (e.held.knows(Channel::kArmatureVoltage)) e.spindle.coast(e.held.spindle());
     if (e.held.knows(Channel::kFeedForce)) e.feed.coast(e.held.feed());
     e.parameters.restart();
+    look_ahead(0);
   }
 
   /// Measured, or the difference of the last two measured speeds.
@@ -258,7 +272,7 @@ class Monitor {
     health_.selected_hypothesis = static_cast<std::uint8_t>(e.spindle.selected());
     health_.selected_probability = e.spindle.probability(e.spindle.selected());
     health_.spindle_speed_rad_s = filter.speed_rad_s();
-    health_.armature_current_a = filter.current_a();
+    health_.armature_current_a = e.known.current_a(filter.current_a());
     health_.feed_speed_m_s = e.feed.filter().speed_m_s();
     health_.innovation_ratio = e.spindle.ratio().value();
     health_.parameters = e.parameters.estimates();

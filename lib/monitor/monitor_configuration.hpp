@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "lib/frame/channel.hpp"
+#include "lib/gap/applied_effect.hpp"
 #include "lib/gap/gap_watch_finding.hpp"
 #include "lib/plant/built_in_machines.hpp"
 #include "lib/plant/machine_parameters.hpp"
@@ -93,6 +94,13 @@ struct GapTuning {
   gap::GapLimits feed;
 };
 
+/// What the machine is known to have beyond the nominal model.
+struct MachineEffects {
+  static constexpr std::size_t kMost = 4;
+  std::array<gap::AppliedEffect, kMost> effect{};  ///< those behind `count` mean nothing
+  std::uint32_t count = 0;                         ///< 0 .. kMost
+};
+
 /// Everything that a monitor needs to know before its first frame.
 struct MonitorConfiguration {
   MachineParameters machine;
@@ -102,6 +110,7 @@ struct MonitorConfiguration {
   FilterTuning tuning;
   WearLimits wear;
   GapTuning gap;
+  MachineEffects effects;
   DecisionRule rule = DecisionRule::kMarkov;
 };
 

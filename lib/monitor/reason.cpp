@@ -89,6 +89,13 @@ constexpr std::array kRefusals{
                 "the melting temperature must be above the reference temperature"},
     RefusalText{ConfigurationError::kMagnitude, "no machine has a value of this magnitude; check its unit"},
     RefusalText{ConfigurationError::kNotAProbability, "the value must lie between 0 and 1, both excluded"},
+    RefusalText{ConfigurationError::kEffectCount, "a monitor holds at most 4 effects; leave the smallest out"},
+    RefusalText{ConfigurationError::kEffectUnknown, "an effect has no name in the catalogue"},
+    RefusalText{ConfigurationError::kEffectParts, "an effect has 1 to 4 coefficients"},
+    RefusalText{ConfigurationError::kEffectShape,
+                "an effect of this name must have a shape greater than 0, and none may have one below"},
+    RefusalText{ConfigurationError::kEffectDelay,
+                "a monitor holds delays up to 12 sampling intervals; leave this effect out"},
 };
 
 }  // namespace

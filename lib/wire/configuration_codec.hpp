@@ -1,12 +1,13 @@
 #pragma once
 #include "lib/monitor/monitor_configuration.hpp"
 #include "lib/wire/field_list.hpp"
+#include "lib/wire/gap_codec.hpp"
 
 namespace morepro::wire {
 
 /// First byte of the payload. Another version is refused: a stored configuration is never read as something
 /// else. To be raised with every change of the lists below.
-inline constexpr std::uint8_t kConfigurationLayout = 2;
+inline constexpr std::uint8_t kConfigurationLayout = 3;
 
 template <>
 inline constexpr auto kFields<MachineParameters::Spindle> = std::tuple{
@@ -102,10 +103,28 @@ inline constexpr auto kFields<GapTuning> = std::tuple{
 };
 
 template <>
+inline constexpr auto kFields<gap::EffectForm> = std::tuple{
+    &gap::EffectForm::effect,
+    &gap::EffectForm::kind,
+    &gap::EffectForm::parts,
+    &gap::EffectForm::shape,
+};
+
+template <>
+inline constexpr auto kFields<gap::AppliedEffect> = std::tuple{
+    &gap::AppliedEffect::form,
+    &gap::AppliedEffect::coefficient,
+    &gap::AppliedEffect::onset_s,
+};
+
+template <>
+inline constexpr auto kFields<MachineEffects> = std::tuple{&MachineEffects::effect, &MachineEffects::count};
+
+template <>
 inline constexpr auto kFields<MonitorConfiguration> = std::tuple{
     &MonitorConfiguration::machine, &MonitorConfiguration::sensors, &MonitorConfiguration::sampling,
     &MonitorConfiguration::grid,    &MonitorConfiguration::tuning,  &MonitorConfiguration::wear,
-    &MonitorConfiguration::gap,     &MonitorConfiguration::rule,
+    &MonitorConfiguration::gap,     &MonitorConfiguration::effects, &MonitorConfiguration::rule,
 };
 
 template <>

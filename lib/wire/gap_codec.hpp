@@ -38,7 +38,7 @@ constexpr bool is_known(gap::EffectGroup group) {
   return false;
 }
 
-/// Those with a name: no board finds another one.
+/// Those with a name: no board finds or knows another one.
 template <>
 constexpr bool is_known(gap::Effect effect) {
   switch (effect) {

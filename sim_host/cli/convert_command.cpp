@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim_host/cli/command.hpp"
+#include "sim_host/machine/monitor_effects.hpp"
 #include "sim_host/recording/recording_format.hpp"
 #include "sim_host/recording/recording_writer.hpp"
 #include "sim_host/replay/replay_session.hpp"
@@ -37,7 +38,8 @@ void run(const ConvertArguments& arguments) {
   check_distinct({{"in", arguments.in}, {"--machine", arguments.machine}}, {{"out", arguments.out}});
   RecordingReader in(arguments.in);
   std::vector<std::string> notices;
-  const MachineDescription machine = machine_for(in, arguments.machine, notices);
+  MachineDescription machine = machine_for(in, arguments.machine, notices);
+  know_effects(machine, notices);
   // CSV holds no machine: what was assumed about it does not matter there.
   if (format_of(arguments.out) == RecordingFormat::kCsv) notices.clear();
   const bool is_damaged = !in.damage().empty();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim_host/cli/command.hpp"
+#include "sim_host/machine/monitor_effects.hpp"
 #include "sim_host/replay/health_csv.hpp"
 #include "sim_host/replay/replay_session.hpp"
 #include "sim_host/replay/result_json.hpp"
@@ -82,6 +83,7 @@ void run(const ReplayArguments& arguments) {
   RecordingReader recording(arguments.recording);
   std::vector<std::string> notices;
   MachineDescription machine = machine_for(recording, arguments.machine, notices);
+  know_effects(machine, notices);
   take_rule(arguments.rule, machine.configuration);
   if (recording.damage().empty()) {
     notices.insert(notices.begin(), recording.info().warnings.begin(), recording.info().warnings.end());

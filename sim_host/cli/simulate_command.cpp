@@ -10,6 +10,8 @@
 #include "sim_host/machine/estimator_choice.hpp"
 #include "sim_host/machine/machine_description.hpp"
 #include "sim_host/machine/machine_file_writer.hpp"
+#include "sim_host/machine/monitor_effects.hpp"
+#include "sim_host/recording/recording_format.hpp"
 #include "sim_host/recording/recording_writer.hpp"
 #include "sim_host/simulate/datasheet.hpp"
 #include "sim_host/simulate/effect_option.hpp"
@@ -88,6 +90,11 @@ void run(const SimulateArguments& arguments) {
   SimulationOptions options = options_of(arguments, machine.configuration.sampling.rate_hz);
   set_effects(arguments, machine, options);
   set_rate(machine.configuration, options.rate_hz);
+  std::vector<std::string> notices;
+  know_effects(machine, notices);
+  // CSV holds no machine: what its monitor knows does not matter there.
+  if (format_of(arguments.out) == RecordingFormat::kCsv) notices.clear();
+  for (const std::string& notice : notices) warn(notice);
   Simulation simulation(machine.configuration, options);
   if (simulation.frame_count() < 2)
     throw UsageError("--duration times --rate gives fewer than two frames; raise one");

@@ -15,11 +15,6 @@ constexpr double kLargestSize = 1.0e12;
 // The simulated sensors remember this much.
 constexpr double kLongestDelayS = 0.04;
 
-bool is_delay(Effect effect) {
-  return effect == Effect::kSpindleSpeedDelay || effect == Effect::kCurrentDelay ||
-         effect == Effect::kFeedSpeedDelay;
-}
-
 int highest_kind(Effect effect) {
   switch (effect) {
     case Effect::kViscousTemperatureDependence:
@@ -51,21 +46,8 @@ int most_parts(Effect effect) {
 enum class Shape { kNone, kPositive, kNotNegative };
 
 Shape shape_of(Effect effect) {
-  switch (effect) {
-    case Effect::kSpindleCoulombFriction:
-    case Effect::kSpindleStribeckFriction:
-    case Effect::kSpindleCogging:
-    case Effect::kShaftCompliance:
-    case Effect::kFeedCoulombFriction:
-    case Effect::kFeedStribeckFriction:
-    case Effect::kFeedPresliding:
-    case Effect::kBrushVoltageDrop:
-      return Shape::kPositive;
-    case Effect::kFeedScrewPeriodic:
-      return Shape::kNotNegative;
-    default:
-      return gap::size_is_shape(effect) ? Shape::kNotNegative : Shape::kNone;
-  }
+  if (effect == Effect::kFeedScrewPeriodic || gap::size_is_shape(effect)) return Shape::kNotNegative;
+  return gap::needs_shape(effect) ? Shape::kPositive : Shape::kNone;
 }
 
 std::string objection_to_shape(Effect effect, double shape) {
@@ -87,7 +69,7 @@ std::string objection_to_size(Effect effect, double size) {
     return fmt::format("{} {} is impossible; it must not be negative", size, info.unit);
   if (info.range == gap::SizeRange::kFraction && size >= 1.0)
     return fmt::format("{} is impossible; it is a fraction below 1", size);
-  if (is_delay(effect) && size > kLongestDelayS)
+  if (gap::is_delay(effect) && size > kLongestDelayS)
     return fmt::format("{} s is too long; delays up to {} s are simulated", size, kLongestDelayS);
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lib/monitor/configuration_check.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
 #include "sim_host/replay/replay_session.hpp"
 
@@ -9,6 +10,13 @@ namespace morepro::host {
 namespace {
 
 constexpr double kRateTolerance = 1.0e-3;
+
+/// Those that are possible: whether all of them are is asked where the configuration is used.
+void take_effects(const MonitorConfiguration& configuration, MachineDescription& machine) {
+  const auto& [effect, count] = configuration.effects;
+  for (std::size_t i = 0; i < count && i < effect.size(); ++i)
+    if (check_effect(effect[i], configuration.sampling.rate_hz).ok()) machine.effects.push_back(effect[i]);
+}
 
 MachineDescription choose(const RecordingReader& recording, const std::string& asked_for,
                           std::vector<std::string>& notices) {
@@ -18,6 +26,7 @@ MachineDescription choose(const RecordingReader& recording, const std::string& a
     MachineDescription machine;
     machine.name = name.empty() ? "of the recording" : std::string(name);
     machine.configuration = *configuration;
+    take_effects(*configuration, machine);
     return machine;
   }
   if (is_built_in_name(name)) return built_in_machine(name);

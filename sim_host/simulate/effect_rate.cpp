@@ -83,7 +83,7 @@ double rate_in_armature(const gap::AppliedEffect& one, const gap::EffectScales<d
 double fastest_rate(std::span<const gap::AppliedEffect> effects, const gap::EffectScales<double>& scales) {
   double sum = 0.0;
   for (const gap::AppliedEffect& one : effects) {
-    if (!has_size(one)) continue;
+    if (!gap::has_size(one)) continue;
     sum += rate_in_spindle(one, scales) + rate_in_feed(one, scales) + rate_in_armature(one, scales);
   }
   return sum;

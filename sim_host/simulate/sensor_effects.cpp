@@ -8,7 +8,7 @@ namespace morepro::host {
 SensorEffects::SensorEffects(std::span<const gap::AppliedEffect> effects,
                              const gap::EffectScales<double>& scales, double step_s) {
   for (const gap::AppliedEffect& effect : effects) {
-    if (gap::info_of(effect.form.effect).group == gap::EffectGroup::kSensor && has_size(effect))
+    if (gap::info_of(effect.form.effect).group == gap::EffectGroup::kSensor && gap::has_size(effect))
       terms_.emplace_back(effect, scales, step_s);
   }
 }

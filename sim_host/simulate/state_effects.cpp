@@ -1,7 +1,5 @@
 #include "sim_host/simulate/state_effects.hpp"
 
-#include <algorithm>
-
 #include "lib/gap/effect_catalogue.hpp"
 
 namespace morepro::host {
@@ -22,19 +20,11 @@ bool acts_on_state(const gap::AppliedEffect& effect) {
 
 }  // namespace
 
-bool has_size(const gap::AppliedEffect& effect) {
-  const bool needs_shape =
-      gap::size_is_shape(effect.form.effect) || effect.form.effect == gap::Effect::kShaftCompliance;
-  if (needs_shape && !(effect.form.shape > 0.0F)) return false;
-  return std::any_of(effect.coefficient.begin(), effect.coefficient.begin() + effect.form.parts,
-                     [](double coefficient) { return coefficient != 0.0; });
-}
-
 StateEffects::StateEffects(std::span<const gap::AppliedEffect> effects,
                            const gap::EffectScales<double>& scales, double step_s)
     : scales_(scales) {
   for (const gap::AppliedEffect& effect : effects) {
-    if (acts_on_state(effect) && has_size(effect)) terms_.emplace_back(effect, scales, step_s);
+    if (acts_on_state(effect) && gap::has_size(effect)) terms_.emplace_back(effect, scales, step_s);
   }
 }
 

@@ -28,7 +28,4 @@ class StateEffects {
   std::vector<Term> terms_;
 };
 
-/// Does the effect have a size other than 0?
-bool has_size(const gap::AppliedEffect& effect);
-
 }  // namespace morepro::host

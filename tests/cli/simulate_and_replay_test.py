@@ -63,6 +63,55 @@ class SimulateAndReplay(ProgramTest):
         self.assertEqual(result["gap"]["alias_set"], [])
         self.assertIn("Gap         none", self.must_do("replay", "run.mrec").stdout)
 
+    def simulate_with(self, *effects, out="run.csv", seed=5):
+        options = [word for effect in effects for word in ("--effect", effect)]
+        self.must_do("simulate", "--profile", "rich", "--duration", "8", "--seed", seed, *options, "--out", out)
+
+    def chip_load_error_mm(self, result):
+        """Of the last step of the commanded chip load."""
+        rows = [line.split(",") for line in (self.folder / "run.csv").read_text().splitlines() if line[0] != "#"]
+        column = rows[0].index("chip_load_mm")
+        time_s = result["chip_load_mm"]["time_s"]
+        commanded = [float(row[column]) for row in rows[1:] if float(row[0]) <= time_s]
+        return abs(result["chip_load_mm"]["estimate"] - commanded[-1])
+
+    def test_the_board_knows_what_a_diagnosis_has_found(self):
+        self.simulate_with("spindle_coulomb_friction=0.03", "feed_force_offset=2")
+        plain = self.replay("run.csv")
+        self.assertEqual(plain["health"]["state"], "MODEL_GAP")
+        self.must_do("diagnose", "run.csv", "--bootstrap", 20, "--apply", "found.toml")
+        known = self.replay("run.csv", "--machine", "found.toml")
+        self.assertEqual(known["gap"]["verdict"], "no_gap")
+        self.assertNotEqual(known["health"]["state"], "MODEL_GAP")
+        error = self.chip_load_error_mm(known)
+        self.assertLess(error, 3 * known["chip_load_mm"]["standard_error"])
+        self.assertLess(error, 0.2 * self.chip_load_error_mm(plain))
+        for entry in known["parameters"]:
+            self.assertTrue(entry["identifiable"], entry["name"])
+            self.assertAlmostEqual(entry["refit"] / entry["datasheet"], 1.0, delta=0.01, msg=entry["name"])
+
+    def test_a_native_recording_keeps_the_effects_of_its_machine(self):
+        self.simulate_with("feed_force_offset=2")
+        self.must_do("diagnose", "run.csv", "--bootstrap", 20, "--apply", "found.toml")
+        self.must_do("convert", "run.csv", "run.mrec", "--machine", "found.toml")
+        self.must_do("replay", "run.csv", "--machine", "found.toml", "--health-out", "csv.answers")
+        self.assertEqual(self.replay("run.mrec", "--health-out", "mrec.answers")["gap"]["verdict"], "no_gap")
+        self.assertEqual((self.folder / "csv.answers").read_bytes(), (self.folder / "mrec.answers").read_bytes())
+
+    def test_effects_that_a_board_cannot_hold_are_named(self):
+        machine = self.must_do("config").stdout
+        five = ("spindle_windage", "drive_lag", "feed_force_offset", "current_bias", "supply_voltage_offset")
+        self.write("five.toml", machine + "".join(f'[[effects]]\nname = "{name}"\nsize = 1e-6\n' for name in five))
+        self.write("slow.toml", machine + '[[effects]]\nname = "current_delay"\nsize = 2e-3\n')
+        for file, name, why in (("five.toml", "supply_voltage_offset", "at most 4 effects"),
+                                ("slow.toml", "current_delay", "up to 12 sampling intervals")):
+            done = self.must_do("simulate", "--machine", file, "--duration", "0.5", "--out", "run.csv")
+            self.assertEqual(done.stderr, "")
+            done = self.must_do("replay", "run.csv", "--machine", file)
+            self.assertEqual(done.stderr.count("warning"), 1, done.stderr)
+            self.assertIn(name, done.stderr)
+            self.assertIn(why, done.stderr)
+
     def test_a_seed_gives_the_same_file_and_another_seed_another(self):
         for name, seed in (("a.csv", 7), ("b.csv", 7), ("c.csv", 8)):
             self.must_do("simulate", "--duration", "0.1", "--seed", seed, "--out", name)

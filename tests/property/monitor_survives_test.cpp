@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <memory>
 #include <random>
+#include <string>
 
+#include "lib/gap/effect_size.hpp"
 #include "lib/monitor/monitor.hpp"
 #include "tests/support/spindle_frames.hpp"
 
@@ -88,8 +91,38 @@ TEST_P(Wild, RecoversWithoutAResetWhenTheMachineComesBack) {
               4.0 * static_cast<double>(monitor->health().chip_load_standard_error_mm));
 }
 
-INSTANTIATE_TEST_SUITE_P(Monitor, Wild, testing::Values(reference_configuration(), thesis_configuration()),
-                         [](const auto& instance) { return instance.index == 0 ? "reference" : "thesis"; });
+gap::AppliedEffect effect(gap::Effect name, double size) {
+  const MachineParameters machine = reference_machine();
+  return gap::applied(name, size, {machine, gap::reference_point_of(machine)});
+}
+
+MonitorConfiguration with_effects(const MachineEffects& effects) {
+  MonitorConfiguration configuration = reference_configuration();
+  configuration.effects = effects;
+  return configuration;
+}
+
+/// So small that a machine without them is sound, each with a memory or a law that wild frames drive far.
+const MachineEffects kRemembering{.effect = {effect(gap::Effect::kShaftCompliance, 3000.0),
+                                             effect(gap::Effect::kCurrentBandwidth, 2.0e-5),
+                                             effect(gap::Effect::kFeedPresliding, 0.1),
+                                             effect(gap::Effect::kSpindleSpeedDelay, 2.0e-5)},
+                                  .count = 4};
+const MachineEffects kSteep{.effect = {effect(gap::Effect::kSpindleCoulombFriction, 1.0e-4),
+                                       effect(gap::Effect::kBrushVoltageDrop, 1.0e-3),
+                                       effect(gap::Effect::kTorqueConstantSaturation, 1.0e-6),
+                                       effect(gap::Effect::kFeedForceSaturation, 1.0e-9)},
+                            .count = 4};
+
+std::string name_of(const testing::TestParamInfo<MonitorConfiguration>& instance) {
+  constexpr std::array kNames{"reference", "thesis", "remembering", "steep"};
+  return kNames[instance.index];
+}
+
+INSTANTIATE_TEST_SUITE_P(Monitor, Wild,
+                         testing::Values(reference_configuration(), thesis_configuration(),
+                                         with_effects(kRemembering), with_effects(kSteep)),
+                         name_of);
 
 }  // namespace
 }  // namespace morepro

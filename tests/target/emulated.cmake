@@ -28,9 +28,9 @@ if(TARGET morepro)
       --duration 2.4 --rate 10000 --seed 7 --out "${recordings}/${machine}.mrec")
     list(APPEND replayed ${machine})
   endforeach()
-  # Long enough for the watch of the gap to name what is wrong.
-  morepro_recording(gap $<TARGET_FILE:morepro> simulate --profile rich --effect feed_force_offset=3
-    --duration 4.6 --rate 10000 --seed 7 --out "${recordings}/gap.mrec")
+  # Long enough for the watch of the gap to name what is wrong: an effect beside those that the monitor knows.
+  morepro_recording(gap $<TARGET_FILE:morepro> simulate --machine "${target_scripts}/with_effects.toml" --profile rich
+    --effect feed_force_offset=3 --duration 4.6 --rate 10000 --seed 7 --out "${recordings}/gap.mrec")
   list(APPEND replayed gap)
 endif()
 
