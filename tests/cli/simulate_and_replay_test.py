@@ -101,7 +101,8 @@ class SimulateAndReplay(ProgramTest):
     def test_effects_that_a_board_cannot_hold_are_named(self):
         machine = self.must_do("config").stdout
         five = ("spindle_windage", "drive_lag", "feed_force_offset", "current_bias", "supply_voltage_offset")
-        self.write("five.toml", machine + "".join(f'[[effects]]\nname = "{name}"\nsize = 1e-6\n' for name in five))
+        tables = (f'[[effects]]\nname = "{name}"\nsize = 1e-6\n' for name in five)
+        self.write("five.toml", machine + "".join(tables))
         self.write("slow.toml", machine + '[[effects]]\nname = "current_delay"\nsize = 2e-3\n')
         for file, name, why in (("five.toml", "supply_voltage_offset", "at most 4 effects"),
                                 ("slow.toml", "current_delay", "up to 12 sampling intervals")):
