@@ -17,6 +17,7 @@ constexpr int kDuelRounds = 2;  // what a settled model needs to settle with one
 constexpr std::size_t kMostEffects = 4;
 constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
+constexpr double kBent = 0.6;         // relative deviation of a parameter that no datasheet has
 constexpr double kLeastShareOfFamily = 0.08;
 constexpr double kLeastShare = 0.01;  // of the best effect's evidence
 
@@ -124,6 +125,7 @@ class Search {
     on_progress_(static_cast<double>(diagnosis_.found.size()) / static_cast<double>(kMostEffects));
     collect_rest();
     auto ranked = rank_candidates(fit_, diagnosis_.rest, diagnosis_.others);
+    if (is_bent()) prefer_by_datasheet(ranked);
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
@@ -152,9 +154,7 @@ class Search {
         continue;
       }
       rival = refined(fit_, rival);
-      AxisFit trial = fit_;
-      trial.model().effects.push_back(beginning_of(rival));
-      trial.settle(kDuelRounds);
+      AxisFit trial = fitted_with(rival);
       if (has_blurred_shape(rival.form.effect)) sharpen(trial);
       rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, rival);
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
@@ -166,6 +166,46 @@ class Search {
     put_plain_first(ranked, trials);
     const AxisFit* winner = fit_of(trials, ranked.front());
     return winner != nullptr ? *winner : fit_;
+  }
+
+  /// Have parameters left what a datasheet can be wrong by?
+  bool is_bent() const {
+    const Eigen::VectorXd deviation = fit_.deviation();
+    const Eigen::Index relative = fit_.axis() == Axis::kSpindle ? deviation.size() : 2;
+    return deviation.head(relative).cwiseAbs().maxCoeff() > kBent;
+  }
+
+  AxisFit at_datasheet() const {
+    AxisFit fit(fit_.axis(), fit_.signals(), fit_.datasheet());
+    fit.model().effects = fit_.model().effects;
+    return fit;
+  }
+
+  /// What explains most beside the datasheet's parameters comes first; bent ones hide it.
+  void prefer_by_datasheet(std::vector<Candidate>& ranked) const {
+    AxisFit fit = at_datasheet();
+    fit.match_noise();
+    auto others = rank_candidates(fit, fit.collect_with(diagnosis_.others), diagnosis_.others);
+    others.resize(std::min(others.size(), kMostRivals - 1));
+    const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
+    for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred) {
+      std::erase_if(ranked, [&](const Candidate& c) { return c.form.effect == preferred->form.effect; });
+      preferred->evidence = std::max(preferred->evidence, most);
+      ranked.insert(ranked.begin(), *preferred);
+    }
+  }
+
+  /// The model with one effect more. Parameters that had to bend to what was missing are a bad beginning: then from
+  /// the datasheet's too.
+  AxisFit fitted_with(const Candidate& candidate) const {
+    AxisFit trial = fit_;
+    trial.model().effects.push_back(beginning_of(candidate));
+    trial.settle(kDuelRounds);
+    if (!is_bent()) return trial;
+    AxisFit anew = at_datasheet();
+    anew.model().effects.push_back(beginning_of(candidate));
+    anew.settle(kDuelRounds);
+    return anew.unlikeliness() < trial.unlikeliness() ? anew : trial;
   }
 
   /// The shape of the newest effect, once it acts in the model: before, the sensors' noise blurs it.

@@ -223,6 +223,13 @@ void AxisFit::refit() {
   unlikeliness_ = unlikeliness_of(best.statistics);
 }
 
+void AxisFit::match_noise() {
+  fit_noise(axis_, *signals_, datasheet_.noise, model_);
+  const Trial here = tried();
+  whitening_ = whitening_of(here.statistics);
+  unlikeliness_ = unlikeliness_of(here.statistics);
+}
+
 void AxisFit::refit_with_this_noise() {
   Trial best = tried();
   for (int i = 0; i < kMostSteps && improve(best); ++i) {
@@ -230,20 +237,20 @@ void AxisFit::refit_with_this_noise() {
 }
 
 // Noise that was fitted to wrong parameters hides how wrong they are: in turns, until nothing is gained.
+// The noise is searched for on some stretches only, so that a round may make it worse; the best one counts.
 void AxisFit::settle(int most_rounds) {
-  double before = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < most_rounds; ++round) {
-    const AxisFit start = *this;
+  constexpr int kMostInVain = 2;
+  AxisFit best = *this;
+  best.unlikeliness_ = std::numeric_limits<double>::infinity();
+  int in_vain = 0;
+  for (int round = 0; round < most_rounds && in_vain < kMostInVain; ++round) {
     fit_noise(axis_, *signals_, datasheet_.noise, model_);
     refit();
-    if (!std::isfinite(unlikeliness_)) {
-      *this = start;
-      unlikeliness_ = before;
-      return;
-    }
-    if (!(unlikeliness_ < before - kSettledRound)) return;
-    before = unlikeliness_;
+    if (!std::isfinite(unlikeliness_)) break;
+    in_vain = unlikeliness_ < best.unlikeliness_ - kSettledRound ? 0 : in_vain + 1;
+    if (unlikeliness_ < best.unlikeliness_) best = *this;
   }
+  *this = std::move(best);
 }
 
 }  // namespace morepro::host

@@ -13,6 +13,8 @@ class AxisFit {
   /// `datasheet`: where the parameters start, and what they are drawn to where nothing is known about them.
   AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet);
 
+  /// Fits the process noise alone.
+  void match_noise();
   /// Fits process noise, parameters and the sizes of the model's effects, in turns.
   void settle(int most_rounds = 6);
   /// The same without the process noise.

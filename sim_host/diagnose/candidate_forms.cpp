@@ -46,7 +46,7 @@ void add_torques(Forms& forms, const RecordingSignals& signals) {
   forms.add(Effect::kSpindleCoulombFriction, {0.002, 0.01});
   forms.add(Effect::kSpindleStribeckFriction, {0.02, 0.06, 0.15});
   forms.add(Effect::kSpindleWindage);
-  forms.add(Effect::kSpindleCogging, {1, 2, 3, 4, 6, 7, 8, 9, 10, 12, 14, 16, 18, 24}, 2);
+  forms.add(Effect::kSpindleCogging, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 18, 20, 24}, 2);
   if (signals.has(Channel::kContact)) {
     forms.add(Effect::kToothPassingTorque, 4);
     forms.add(Effect::kContactSpeedDependence);
