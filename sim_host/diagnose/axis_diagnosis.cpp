@@ -168,11 +168,15 @@ class Search {
     return winner != nullptr ? *winner : fit_;
   }
 
-  /// Have parameters left what a datasheet can be wrong by?
+  /// Has the recording driven a parameter farther than a datasheet can be wrong? One that it does not tell may be
+  /// anywhere.
   bool is_bent() const {
-    const Eigen::VectorXd deviation = fit_.deviation();
+    const Eigen::VectorXd deviation = fit_.deviation().cwiseAbs();
+    const Eigen::VectorXd& error = fit_.standard_error();
     const Eigen::Index relative = fit_.axis() == Axis::kSpindle ? deviation.size() : 2;
-    return deviation.head(relative).cwiseAbs().maxCoeff() > kBent;
+    for (Eigen::Index j = 0; j < std::min(relative, error.size()); ++j)
+      if (deviation(j) > kBent && error(j) < kTold) return true;
+    return false;
   }
 
   AxisFit at_datasheet() const {

@@ -107,6 +107,7 @@ std::string diagnosis_json(const DiagnosisResult& r) {
                   {"explanation", r.explanation},
                   {"where", where_of(r)},
                   {"which", which_of(r)},
+                  {"unexplained", {{"evidence", number(r.unexplained_evidence)}, {"share", number(r.unexplained_share)}}},
                   {"shrinkage", shrinkage_of(r.shrinkage)},
                   {"parameters", parameters_of(r)},
                   {"board", board_of(r)},
