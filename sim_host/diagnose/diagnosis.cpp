@@ -10,6 +10,7 @@
 #include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
 #include "sim_host/diagnose/bootstrap.hpp"
+#include "sim_host/diagnose/effect_naming.hpp"
 #include "sim_host/diagnose/leftover.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/diagnose/parameter_report.hpp"
@@ -31,14 +32,6 @@ constexpr double kLeastUnnamed = 150.0;
 constexpr double kUnseen = 60.0;  // structure that may hide in the noise
 // Of the excess. Shapes that are not the catalogue's leave up to a quarter, causes that are not in it leave half and more.
 constexpr double kUnexplainedShare = 0.25;
-// No catalogue has exactly a machine's shapes: evidence that differs by this share of the best does not decide.
-constexpr double kMisfit = 0.015;
-// Through the speed alone, what brakes the spindle and what takes from its voltage look nearly the same.
-constexpr double kMisfitOfOneSignal = 0.15;
-constexpr double kTwinShare = 0.4;
-constexpr double kShapeError = 0.01;  // of a size, from a shape that is not quite the machine's
-constexpr double kAliasOdds = 20.0;
-constexpr std::size_t kMostAliases = 3;
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
 
@@ -247,59 +240,15 @@ class Diagnosis {
   }
 
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
-    EffectResult effect{.applied = finding.effect, .effect = finding.effect.form.effect};
-    const gap::EffectScales<double> scales(outcome.diagnosis.fit.model().machine, datasheet_.point);
-    effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
-    effect.evidence = std::max(finding.evidence, 0.0);
-    effect.standard_error = std::fabs(effect.magnitude) * relative_error(finding, outcome);
-    const double best = finding.rivals.front().evidence;
-    const double temperature = std::max(outcome.chance.temperature, misfit_of(outcome) * best);
-    const double floor = result_.threshold_evidence;
-    double sum = 1.0 + std::exp(-(best - floor) / (2.0 * temperature));
-    effect.alias_set = {effect.effect};
-    if (const auto twin = twin_of(finding, outcome)) effect.alias_set.push_back(*twin);
-    for (const Candidate& rival : finding.rivals) {
-      if (rival.form.effect == effect.effect) continue;
-      const double behind = std::max(best - rival.evidence, 0.0);
-      sum += std::exp(-behind / (2.0 * temperature));
-      const bool is_listed = std::find(effect.alias_set.begin(), effect.alias_set.end(), rival.form.effect) !=
-                             effect.alias_set.end();
-      if (behind < 2.0 * temperature * std::log(kAliasOdds) && !is_listed && effect.alias_set.size() < kMostAliases)
-        effect.alias_set.push_back(rival.form.effect);
-    }
+    const AxisFit& fit = outcome.diagnosis.fit;
     const double all = excess_of(outcome.leftover.gain + named_deviance(outcome));
     const double unnamed = all > 0.0 ? excess_of(outcome.leftover.gain) / all : 0.0;
-    effect.confidence = (1.0 - unnamed) / sum;
+    const double temperature = outcome.chance.temperature;
+    EffectResult effect = named_effect(finding, fit, {temperature, result_.threshold_evidence, unnamed});
+    const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
+    effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
+    effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
     return effect;
-  }
-
-  /// Of the size of an effect. What blocks of time disagree on more than noise lets expect is in the temperature.
-  static double relative_error(const Finding& finding, const AxisOutcome& outcome) {
-    const AxisFit& fit = outcome.diagnosis.fit;
-    const double share = fit.relative_error_of(finding.effect.form.effect);
-    const double by_evidence = 1.0 / std::sqrt(std::max(finding.evidence, 1.0));
-    return std::hypot((share > 0.0 ? share : by_evidence) * std::sqrt(outcome.chance.temperature), kShapeError);
-  }
-
-  bool is_one_signal_for_two(const AxisOutcome& outcome) const {
-    return outcome.diagnosis.fit.axis() == Axis::kSpindle && !signals_.has(Channel::kArmatureCurrent);
-  }
-
-  /// Evidence that does not decide, as a share of the best.
-  double misfit_of(const AxisOutcome& outcome) const {
-    return is_one_signal_for_two(outcome) ? kMisfitOfOneSignal : kMisfit;
-  }
-
-  /// The same load on the other side of a motor whose current nobody measured.
-  std::optional<Effect> twin_of(const Finding& finding, const AxisOutcome& outcome) const {
-    if (!is_one_signal_for_two(outcome)) return std::nullopt;
-    const Effect effect = finding.effect.form.effect;
-    const bool is_friction = effect == Effect::kSpindleCoulombFriction || effect == Effect::kSpindleStribeckFriction;
-    if (!is_friction && effect != Effect::kBrushVoltageDrop) return std::nullopt;
-    const Effect twin = is_friction ? Effect::kBrushVoltageDrop : Effect::kSpindleCoulombFriction;
-    for (const Candidate& rival : finding.rivals)
-      if (rival.form.effect == twin && rival.evidence > kTwinShare * finding.rivals.front().evidence) return twin;
-    return std::nullopt;
   }
 
   void measure() {

@@ -1,0 +1,68 @@
+#include "sim_host/diagnose/effect_naming.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace morepro::host {
+namespace {
+
+using gap::Effect;
+
+// No catalogue has exactly a machine's shapes: evidence that differs by this share of the best does not decide.
+constexpr double kMisfit = 0.015;
+// Through the speed alone, what brakes the spindle and what takes from its voltage look nearly the same.
+constexpr double kMisfitOfOneSignal = 0.15;
+constexpr double kTwinShare = 0.4;
+constexpr double kShapeError = 0.01;  // of a size, from a shape that is not quite the machine's
+constexpr double kAliasOdds = 20.0;
+constexpr std::size_t kMostAliases = 3;
+
+bool is_one_signal_for_two(const AxisFit& fit) {
+  return fit.axis() == Axis::kSpindle && !fit.signals().has(Channel::kArmatureCurrent);
+}
+
+/// The same load on the other side of a motor whose current nobody measured.
+std::optional<Effect> twin_of(const Finding& finding) {
+  const Effect effect = finding.effect.form.effect;
+  const bool is_friction = effect == Effect::kSpindleCoulombFriction || effect == Effect::kSpindleStribeckFriction;
+  if (!is_friction && effect != Effect::kBrushVoltageDrop) return std::nullopt;
+  const Effect twin = is_friction ? Effect::kBrushVoltageDrop : Effect::kSpindleCoulombFriction;
+  for (const Candidate& rival : finding.rivals)
+    if (rival.form.effect == twin && rival.evidence > kTwinShare * finding.rivals.front().evidence) return twin;
+  return std::nullopt;
+}
+
+}  // namespace
+
+EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context) {
+  EffectResult effect{.applied = finding.effect, .effect = finding.effect.form.effect};
+  effect.evidence = std::max(finding.evidence, 0.0);
+  const double best = finding.rivals.front().evidence;
+  const double misfit = is_one_signal_for_two(fit) ? kMisfitOfOneSignal : kMisfit;
+  const double temperature = std::max(context.temperature, misfit * best);
+  double sum = 1.0 + std::exp(-(best - context.threshold) / (2.0 * temperature));
+  effect.alias_set = {effect.effect};
+  if (is_one_signal_for_two(fit))
+    if (const auto twin = twin_of(finding)) effect.alias_set.push_back(*twin);
+  for (const Candidate& rival : finding.rivals) {
+    if (rival.form.effect == effect.effect) continue;
+    const double behind = std::max(best - rival.evidence, 0.0);
+    sum += std::exp(-behind / (2.0 * temperature));
+    const bool is_listed = std::find(effect.alias_set.begin(), effect.alias_set.end(), rival.form.effect) !=
+                           effect.alias_set.end();
+    if (behind < 2.0 * temperature * std::log(kAliasOdds) && !is_listed && effect.alias_set.size() < kMostAliases)
+      effect.alias_set.push_back(rival.form.effect);
+  }
+  effect.confidence = (1.0 - context.unnamed_share) / sum;
+  return effect;
+}
+
+// What blocks of time disagree on more than noise lets expect is in the temperature.
+double relative_size_error(const Finding& finding, const AxisFit& fit, double temperature) {
+  const double share = fit.relative_error_of(finding.effect.form.effect);
+  const double by_evidence = 1.0 / std::sqrt(std::max(finding.evidence, 1.0));
+  return std::hypot((share > 0.0 ? share : by_evidence) * std::sqrt(temperature), kShapeError);
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,21 @@
+#pragma once
+#include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/diagnosis_result.hpp"
+
+namespace morepro::host {
+
+/// What the name of an effect is judged by, beside the finding itself.
+struct NamingContext {
+  double temperature = 1.0;    ///< of the axis, from the bootstrap
+  double threshold = 0.0;      ///< evidence that chance does not reach
+  double unnamed_share = 0.0;  ///< of the axis' excess, that no effect explains
+};
+
+/// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size, which
+/// depends on the reference point that it is stated at.
+EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context);
+
+/// Standard error of the size of an effect, as a share of the size.
+double relative_size_error(const Finding& finding, const AxisFit& fit, double temperature);
+
+}  // namespace morepro::host
