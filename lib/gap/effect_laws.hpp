@@ -97,12 +97,6 @@ Real voltage(const EffectForm& form, const EffectSignals<Real>& s, const EffectS
   }
 }
 
-/// Net force in N of the nominal model without contact.
-template <class Real>
-Real free_force(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
-  return s.feed_force_n - k.feed_viscous_friction_ns_m * s.feed_speed_m_s;
-}
-
 template <class Real>
 Real screw_rad_m(Real pitch_m, const EffectScales<Real>& k) {
   constexpr double kTurn = 6.283185307179586;

@@ -105,18 +105,29 @@ class Bristle {
   Real deflection_ = 0;
 };
 
-/// Is a drive inside its play? It has to travel through all of it after every reversal.
+/// Drive and slide with a play between them: each moves by itself inside it, and at its ends, where they meet without
+/// bouncing, they are one. Starts in the middle.
 template <class Real>
 class Play {
  public:
-  bool operator()(Real travel_m, Real width_m) {
-    const Real wanted = place_m_ + travel_m;
-    place_m_ = std::clamp(wanted, Real(0), width_m);
-    return place_m_ == wanted;
+  /// `acceleration`: at which the drive runs away from the slide inside the play. Returns what `part` of it changes in a
+  /// step, until they meet and what it has gained is lost.
+  Real operator()(Real acceleration_m_s2, Real part_m_s2, Real width_m, Real step_s) {
+    const Real half = Real(0.5);
+    const Real free = speed_m_s_ + acceleration_m_s2 * step_s;
+    const Real wanted = place_m_ + half * (speed_m_s_ + free) * step_s;
+    place_m_ = std::clamp(wanted, -half * width_m, half * width_m);
+    const bool meets = place_m_ != wanted;
+    const Real before = gained_m_s_;
+    speed_m_s_ = meets ? Real(0) : free;
+    gained_m_s_ = meets ? Real(0) : before + part_m_s2 * step_s;
+    return gained_m_s_ - before;
   }
 
  private:
   Real place_m_ = 0;
+  Real speed_m_s_ = 0;
+  Real gained_m_s_ = 0;
 };
 
 /// The latest values of one signal, for delays up to kLength - 2 steps.

@@ -39,15 +39,15 @@ class EffectTerm {
       case Effect::kFeedPresliding:
         return {.force_n = -bristle_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape))};
       case Effect::kSpindleSpeedDelay:
-        return {.speed_rad_s = delayed(s.speed_rad_s)};
+        return {.speed_rad_s = delayed(s.driven_speed_rad_s)};
       case Effect::kCurrentDelay:
-        return {.current_a = delayed(s.current_a)};
+        return {.current_a = delayed(s.driven_current_a)};
       case Effect::kFeedSpeedDelay:
-        return {.feed_speed_m_s = delayed(s.feed_speed_m_s)};
+        return {.feed_speed_m_s = delayed(s.driven_feed_speed_m_s)};
       case Effect::kSpindleSpeedBandwidth:
-        return {.speed_rad_s = lag_.end(s.speed_rad_s) - s.speed_rad_s};
+        return {.speed_rad_s = lag_.end(s.driven_speed_rad_s) - s.driven_speed_rad_s};
       case Effect::kCurrentBandwidth:
-        return {.current_a = lag_.end(s.current_a) - s.current_a};
+        return {.current_a = lag_.end(s.driven_current_a) - s.driven_current_a};
       case Effect::kUnnamedTorque:
         return {.torque_nm = unnamed(s)};
       case Effect::kUnnamedVoltage:
@@ -88,12 +88,17 @@ class EffectTerm {
     return {.speed_rad_s = laws::speed_error(form_, part_, s), .current_a = laws::current_error(form_, s)};
   }
 
-  /// In the play, half of the mass is without a load: it takes up the whole net force (part 0) and is spared
-  /// the friction of the other half (part 1).
+  /// Drive and slide have half of the mass each. What the slide is braked with drives the two apart like the force on
+  /// the drive; by half of that the drive is faster than both together. Part 1 is what the brake does of it: with other
+  /// masses the two count differently.
   Real in_play(const EffectSignals<Real>& s) {
-    if (!play_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape))) return Real(0);
-    if (part_ == 0) return laws::free_force(s, scales_);
-    return laws::side(s.feed_speed_m_s, static_cast<Real>(laws::kFeedSmoothShare) * scales_.feed_speed_m_s);
+    const Real per_half_mass = Real(2) / scales_.mass_kg;
+    const Real brake_n =
+        scales_.feed_viscous_friction_ns_m * s.feed_speed_m_s + s.contact * scales_.contact_load_n;
+    const Real apart_n = s.feed_force_n + brake_n;
+    const Real change_m_s = play_(apart_n * per_half_mass, (part_ == 0 ? apart_n : brake_n) * per_half_mass,
+                                  static_cast<Real>(form_.shape), step_s_);
+    return change_m_s / (per_half_mass * step_s_);
   }
 
   /// kind: number of the law; a shape is a time constant, through which the law is seen.

@@ -29,7 +29,8 @@ class FeedObserver {
         contact_force_n_(static_cast<Real>(machine.feed.contact_force_n)),
         contact_offset_n_(static_cast<Real>(machine.feed.contact_offset_n)),
         step_s_(static_cast<Real>(step_s)),
-        noise_(noise) {
+        noise_(noise),
+        process_noise_(shaken(noise.feed_step, step_s_)) {
     const double rate = -machine.feed.viscous_friction_ns_m / machine.feed.mass_kg;
     const auto step = math::exponential_step(math::Matrix2{0.0, 1.0, 0.0, rate}, step_s);
     const auto cast = [](const math::Matrix2& m) {
@@ -68,9 +69,18 @@ class FeedObserver {
   }
 
  private:
+  /// A random force lasts longer than an interval: what it adds to the speed at the end it has added to the position by
+  /// half. Without that, the position seems to know the speed too early.
+  static constexpr math::BasicMatrix2<Real> shaken(Real speed_step, Real step_s) {
+    const Real position_step = Real(0.5) * step_s * speed_step;
+    return {position_step * position_step, position_step * speed_step, position_step * speed_step,
+            speed_step * speed_step};
+  }
+
   void start(const GapFrame<Real>& frame) {
     if (!frame.has_feed_speed && !frame.has_feed_position) return;
     is_started_ = true;
+    driven_m_s_ = frame.has_feed_speed ? frame.feed_speed_m_s : Real(0);
     observer_.set_columns(kFeedParameters + terms_.size());
     if (!has_origin_) origin_m_ = frame.has_feed_position ? frame.feed_position_m : Real(0);
     has_origin_ = true;
@@ -94,6 +104,7 @@ class FeedObserver {
     if (frame.has_feed_speed)
       observer_.template update<1>(frame.feed_speed_m_s - shown_.feed_speed_m_s - observer_.mean(1),
                                    noise_.doubt(frame.time_s) * noise_.feed_speed_variance, second_, rows.speed);
+    driven_m_s_ += Real(kDrivenLeak) * (observer_.mean(1) - driven_m_s_);
   }
 
   void predict(const GapFrame<Real>& frame) {
@@ -120,8 +131,8 @@ class FeedObserver {
                                        after.slope * exp_.a11 * before.slope};
     const math::BasicMatrix2<Real> psi{integral_.a00, integral_.a01, after.slope * integral_.a10,
                                        after.slope * integral_.a11};
-    observer_.predict(x + dx + integral_.a01 * rate_added, after.value, phi, psi, Real(0),
-                      noise_.feed_step * noise_.feed_step, first_, second_);
+    driven_m_s_ += after.value - observer_.mean(1);
+    observer_.predict(x + dx + integral_.a01 * rate_added, after.value, phi, psi, process_noise_, first_, second_);
   }
 
   void load_columns(const EffectSignals<Real>& s, Real acceleration_m_s2, const PlantInput<Real>& input) {
@@ -147,6 +158,7 @@ class FeedObserver {
     s.speed_rad_s = spindle_speed_rad_s_;
     s.angle_rad = angle_rad_;
     s.feed_speed_m_s = speed_m_s;
+    s.driven_feed_speed_m_s = driven_m_s_;
     s.feed_position_m = position_m;
     s.tool_degc = frame.input.tool_temperature_degc;
     s.winding_degc = frame.winding_degc;
@@ -158,12 +170,14 @@ class FeedObserver {
   Real contact_offset_n_;
   Real step_s_;
   GapNoise<Real> noise_;
+  math::BasicMatrix2<Real> process_noise_;
   math::BasicMatrix2<Real> exp_{};
   math::BasicMatrix2<Real> integral_{};
   Observer observer_;
   typename Observer::Columns first_{};
   typename Observer::Columns second_{};
   Real origin_m_ = 0;
+  Real driven_m_s_ = 0;
   Real spindle_speed_rad_s_ = 0;
   Real angle_rad_ = 0;
   Contribution<Real> added_;

@@ -38,7 +38,9 @@ class SpindleObserver {
       : plant_(machine),
         terms_(EffectScales<Real>(machine, point), step_s),
         step_s_(static_cast<Real>(step_s)),
-        noise_(noise) {}
+        noise_(noise),
+        process_noise_{noise.speed_step * noise.speed_step, Real(0), Real(0),
+                       noise.current_step * noise.current_step} {}
 
   Terms& terms() { return terms_; }
   /// What the effects of the model added during the last interval, and what they made the sensors show at its
@@ -79,6 +81,8 @@ class SpindleObserver {
     observer_.start(frame.speed_rad_s, frame.has_current ? frame.current_a : still_a, noise_.speed_variance,
                     frame.has_current ? noise_.current_variance : wide_a * wide_a);
     angle_rad_ = frame.angle_rad;
+    driven_rad_s_ = observer_.mean(0);
+    driven_a_ = observer_.mean(1);
   }
 
   void update(const GapFrame<Real>& frame, Rows& rows) {
@@ -95,6 +99,8 @@ class SpindleObserver {
     if (frame.has_speed)
       observer_.template update<0>(frame.speed_rad_s - shown_.speed_rad_s - observer_.mean(0),
                                    noise_.doubt(frame.time_s) * noise_.speed_variance, first_, rows.speed);
+    driven_rad_s_ += Real(kDrivenLeak) * (observer_.mean(0) - driven_rad_s_);
+    driven_a_ += Real(kDrivenLeak) * (observer_.mean(1) - driven_a_);
   }
 
   void predict(const GapFrame<Real>& frame) {
@@ -130,9 +136,10 @@ class SpindleObserver {
     added_.voltage_v += half * (i0.value - observer_.mean(1) + i1.value - free_i) / yield_i;
     const math::BasicMatrix2<Real> first{step.exp.a00 * w0.slope, step.exp.a01 * i0.slope, step.exp.a10 * w0.slope,
                                          step.exp.a11 * i0.slope};
+    driven_rad_s_ += w1.value - observer_.mean(0);
+    driven_a_ += i1.value - observer_.mean(1);
     observer_.predict(w1.value, i1.value, braked(first, w1.slope, i1.slope), braked(psi, w1.slope, i1.slope),
-                      noise_.speed_step * noise_.speed_step, noise_.current_step * noise_.current_step,
-                      first_, second_);
+                      process_noise_, first_, second_);
     angle_rad_ += step_s_ * (x.speed_rad_s + half * dw);
   }
 
@@ -169,6 +176,8 @@ class SpindleObserver {
     s.speed_rad_s = speed_rad_s;
     s.angle_rad = angle_rad_;
     s.current_a = current_a;
+    s.driven_speed_rad_s = driven_rad_s_;
+    s.driven_current_a = driven_a_;
     s.tool_degc = frame.input.tool_temperature_degc;
     s.winding_degc = frame.winding_degc;
     return s;
@@ -178,10 +187,13 @@ class SpindleObserver {
   Terms terms_;
   Real step_s_;
   GapNoise<Real> noise_;
+  math::BasicMatrix2<Real> process_noise_;
   Observer observer_;
   typename Observer::Columns first_{};
   typename Observer::Columns second_{};
   Real angle_rad_ = 0;
+  Real driven_rad_s_ = 0;
+  Real driven_a_ = 0;
   Contribution<Real> added_;
   Contribution<Real> shown_;
   bool is_started_ = false;

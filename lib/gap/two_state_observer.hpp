@@ -7,6 +7,9 @@
 
 namespace morepro::gap {
 
+/// Share of an estimate by which the sum of a state's driven changes is drawn to it at every sample.
+inline constexpr float kDrivenLeak = 0.01F;
+
 /// One measurement against its prediction, divided by the standard deviation that the observer expects; and what
 /// a disturbance of each column, of size one since the start, would have added to it.
 template <class Real, std::size_t kMostColumns>
@@ -66,8 +69,9 @@ class TwoStateObserver {
   }
 
   /// Moves on: the mean to where the caller's model puts it, covariance and sensitivities by its linearisation.
-  /// `rate0[j]`, `rate1[j]`: what column j adds to the derivatives of the states.
-  void predict(Real x0, Real x1, const Matrix& phi, const Matrix& integral, Real noise0, Real noise1,
+  /// `rate0[j]`, `rate1[j]`: what column j adds to the derivatives of the states. `noise`: covariance that the interval
+  /// adds; a01 is read, a10 is its mirror.
+  void predict(Real x0, Real x1, const Matrix& phi, const Matrix& integral, const Matrix& noise,
                const Columns& rate0, const Columns& rate1) {
     mean_ = {x0, x1};
     for (std::size_t j = 0; j < columns_; ++j) {
@@ -80,9 +84,9 @@ class TwoStateObserver {
     const Real b = phi.a00 * p01_ + phi.a01 * p11_;
     const Real c = phi.a10 * p00_ + phi.a11 * p01_;
     const Real d = phi.a10 * p01_ + phi.a11 * p11_;
-    p00_ = a * phi.a00 + b * phi.a01 + noise0;
-    p01_ = a * phi.a10 + b * phi.a11;
-    p11_ = c * phi.a10 + d * phi.a11 + noise1;
+    p00_ = a * phi.a00 + b * phi.a01 + noise.a00;
+    p01_ = a * phi.a10 + b * phi.a11 + noise.a01;
+    p11_ = c * phi.a10 + d * phi.a11 + noise.a11;
   }
 
  private:

@@ -103,6 +103,9 @@ class KnownEffects {
     if (seen.has(Channel::kArmatureCurrent)) signals.current_a = seen.get(Channel::kArmatureCurrent);
     if (seen.has(Channel::kFeedSpeed)) signals.feed_speed_m_s = seen.get(Channel::kFeedSpeed);
     if (seen.has(Channel::kSpindleAngle)) signals.angle_rad = seen.get(Channel::kSpindleAngle);
+    signals.driven_speed_rad_s = signals.speed_rad_s;
+    signals.driven_current_a = signals.current_a;
+    signals.driven_feed_speed_m_s = signals.feed_speed_m_s;
     show(signals);
   }
 
@@ -216,10 +219,10 @@ class KnownEffects {
     s.feed_force_n = input_.feed_force_n;
     s.contact = input_.contact;
     s.chip_load_mm = input_.chip_load_mm;
-    s.speed_rad_s = x.speed_rad_s;
+    s.speed_rad_s = s.driven_speed_rad_s = x.speed_rad_s;
     s.angle_rad = angle_rad_;
-    s.current_a = x.current_a;
-    s.feed_speed_m_s = x.feed_speed_m_s;
+    s.current_a = s.driven_current_a = x.current_a;
+    s.feed_speed_m_s = s.driven_feed_speed_m_s = x.feed_speed_m_s;
     s.feed_position_m = position_m_;
     s.tool_degc = input_.tool_temperature_degc;
     s.winding_degc = held.winding_degc();

@@ -6,6 +6,7 @@
 
 #include "lib/gap/dry_friction.hpp"
 #include "sim_host/diagnose/candidate_forms.hpp"
+#include "sim_host/diagnose/effect_family.hpp"
 
 namespace morepro::host {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 // Rivals with this share of the best evidence are put into the model, one after the other, before one is chosen.
 constexpr double kNearlyAsGood = 0.6;
 constexpr std::size_t kMostRivals = 3;
+constexpr std::size_t kMostTrials = 6;  // where those before them turn out to be worth nothing
 constexpr int kDuelRounds = 2;  // what a settled model needs to settle with one effect more or less
 constexpr std::size_t kMostEffects = 4;
 constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
@@ -54,35 +56,6 @@ constexpr Plainer kPlainer[] = {
     {gap::Effect::kSpindleCogging, gap::Effect::kSpindleCoulombFriction, 0.7, kRarely},
     {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, kAlways},
 };
-
-/// What has the same cause, shows the same way and differs in shape: what is left of one after its own shape was
-/// fitted looks like the others.
-enum class Family { kNone, kDryFriction, kPerTurn, kElectricLag, kFeedLag };
-constexpr Family family_of(gap::Effect effect) {
-  switch (effect) {
-    case gap::Effect::kFeedCoulombFriction:
-    case gap::Effect::kFeedStribeckFriction:
-    case gap::Effect::kFeedPresliding:
-    case gap::Effect::kSpindleCoulombFriction:
-    case gap::Effect::kSpindleStribeckFriction:
-      return Family::kDryFriction;
-    case gap::Effect::kSpindleCogging:
-    case gap::Effect::kToothPassingTorque:
-    case gap::Effect::kEncoderEccentricity:
-      return Family::kPerTurn;
-    case gap::Effect::kDriveLag:
-    case gap::Effect::kCurrentDelay:
-    case gap::Effect::kCurrentBandwidth:
-    case gap::Effect::kSpindleSpeedDelay:
-    case gap::Effect::kSpindleSpeedBandwidth:
-      return Family::kElectricLag;
-    case gap::Effect::kFeedDriveLag:
-    case gap::Effect::kFeedSpeedDelay:
-      return Family::kFeedLag;
-    default:
-      return Family::kNone;
-  }
-}
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
@@ -141,31 +114,37 @@ class Search {
   /// Puts the best candidates into the model, each for itself, with everything refitted: the evidence of a
   /// linearisation does not tell a delay from a lag. Returns the fit of the best, which is then in front.
   AxisFit duel(std::vector<Candidate>& ranked) const {
-    const double enough = kNearlyAsGood * ranked.front().evidence;
     const double before = fit_.unlikeliness();
     std::vector<Trial> trials;
-    const double fraction_bar = ranked.front().evidence;
-    double claimed = 0.0;
+    double best = 0.0;
+    double kept = 1.0;  // of what the linearisation promised to the best
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       Candidate& rival = ranked[i];
-      if (i >= kMostRivals || rival.evidence < enough) {
-        // In proportion to what the linearisation promised to the first and what came of it.
-        rival.evidence *= std::max(claimed, 1.0) / fraction_bar;
+      if (!is_worth_a_trial(rival, trials.size(), best)) {
+        rival.evidence *= kept;
         continue;
       }
+      const double promised = rival.evidence;
       rival = refined(fit_, rival);
       AxisFit trial = fitted_with(rival);
       if (has_blurred_shape(rival.form.effect)) sharpen(trial);
       rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, rival);
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
       rival.form = trial.model().effects.back().form;
-      if (i == 0) claimed = std::max(rival.evidence, 0.0);
+      if (rival.evidence > best) kept = rival.evidence / promised;
+      best = std::max(best, rival.evidence);
       trials.emplace_back(rival.form.effect, std::move(trial));
     }
     std::sort(ranked.begin(), ranked.end(), by_evidence);
     put_plain_first(ranked, trials);
     const AxisFit* winner = fit_of(trials, ranked.front());
     return winner != nullptr ? *winner : fit_;
+  }
+
+  /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn.
+  [[nodiscard]] bool is_worth_a_trial(const Candidate& rival, std::size_t tried, double best) const {
+    if (tried >= kMostTrials || rival.evidence < diagnosis_.least_evidence) return false;
+    return best == 0.0 || (tried < kMostRivals && rival.evidence >= kNearlyAsGood * best);
   }
 
   /// Has the recording driven a parameter farther than a datasheet can be wrong? One that it does not tell may be

@@ -10,6 +10,7 @@
 #include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
 #include "sim_host/diagnose/bootstrap.hpp"
+#include "sim_host/diagnose/clock_jitter.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
 #include "sim_host/diagnose/leftover.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
@@ -69,6 +70,8 @@ class Diagnosis {
     for (const auto& effect : machine_.effects)
       datasheet_.known.push_back(gap::restated(effect, file_scales(), recording_scales()));
     for (const Axis axis : {Axis::kSpindle, Axis::kFeed}) try_axis(axis);
+    look_for_jitter();
+    leave_out_excluded_faults();
     judge();
     rank();
     measure();
@@ -118,6 +121,22 @@ class Diagnosis {
     outcome.diagnosis.nominal.attribute_load();
     weigh_datasheet(outcome);
     outcomes_.push_back(std::move(outcome));
+  }
+
+  void look_for_jitter() {
+    std::vector<const AxisFit*> fits;
+    double named = 0.0;
+    for (const AxisOutcome& outcome : outcomes_) {
+      fits.push_back(&outcome.diagnosis.fit);
+      for (const Finding& finding : outcome.diagnosis.found) named = std::max(named, finding.evidence);
+    }
+    if (const auto jitter = find_jitter(fits, named)) faults_.push_back(*jitter);
+  }
+
+  void leave_out_excluded_faults() {
+    std::erase_if(faults_, [this](const SamplingFault& fault) {
+      return std::find(options_.excluded.begin(), options_.excluded.end(), fault.effect) != options_.excluded.end();
+    });
   }
 
   void bootstrap(AxisOutcome& outcome) {
@@ -216,6 +235,12 @@ class Diagnosis {
     return "nothing moves enough in the recording to tell a single parameter";
   }
 
+  /// Where a sensor's faults show most.
+  static gap::Balance balance_of(Channel channel) {
+    if (channel == Channel::kArmatureCurrent) return gap::Balance::kArmatureVoltage;
+    return channel == Channel::kSpindleSpeed ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
+  }
+
   static double named_deviance(const AxisOutcome& outcome) {
     if (outcome.diagnosis.found.empty()) return 0.0;
     return std::max(outcome.diagnosis.nominal.unlikeliness() - outcome.diagnosis.fit.unlikeliness(), 0.0);
@@ -244,7 +269,8 @@ class Diagnosis {
     const double all = excess_of(outcome.leftover.gain + named_deviance(outcome));
     const double unnamed = all > 0.0 ? excess_of(outcome.leftover.gain) / all : 0.0;
     const double temperature = outcome.chance.temperature;
-    EffectResult effect = named_effect(finding, fit, {temperature, result_.threshold_evidence, unnamed});
+    EffectResult effect = named_effect(finding, fit, {temperature, result_.threshold_evidence, unnamed,
+                                                     causes_of(outcome.diagnosis.found)});
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
@@ -283,6 +309,7 @@ class Diagnosis {
   }
 
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
+    for (const SamplingFault& fault : faults_) balance.is_significant |= balance.balance == balance_of(fault.channel);
     bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
       const auto group = gap::info_of(finding.effect.form.effect).group;

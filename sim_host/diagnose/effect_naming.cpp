@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "sim_host/diagnose/effect_family.hpp"
+
 namespace morepro::host {
 namespace {
 
@@ -17,6 +19,15 @@ constexpr double kTwinShare = 0.4;
 constexpr double kShapeError = 0.01;  // of a size, from a shape that is not quite the machine's
 constexpr double kAliasOdds = 20.0;
 constexpr std::size_t kMostAliases = 3;
+// Three and more independent causes at once are rarer than one that has no name and looks like them: on tests/blind
+// half of the names are right then.
+constexpr std::size_t kUsualCauses = 2;
+constexpr double kCrowded = 0.6;
+
+bool is_part_of_friction(Effect effect) {
+  return effect == Effect::kFeedForceOffset || effect == Effect::kFeedAsymmetricFriction ||
+         family_of(effect) == Family::kDryFriction;
+}
 
 bool is_one_signal_for_two(const AxisFit& fit) {
   return fit.axis() == Axis::kSpindle && !fit.signals().has(Channel::kArmatureCurrent);
@@ -34,6 +45,12 @@ std::optional<Effect> twin_of(const Finding& finding) {
 }
 
 }  // namespace
+
+std::size_t causes_of(std::span<const Finding> found) {
+  const auto is_friction = [](const Finding& f) { return is_part_of_friction(f.effect.form.effect); };
+  const auto parts = static_cast<std::size_t>(std::count_if(found.begin(), found.end(), is_friction));
+  return parts > 1 ? found.size() - parts + 1 : found.size();
+}
 
 EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context) {
   EffectResult effect{.applied = finding.effect, .effect = finding.effect.form.effect};
@@ -55,6 +72,7 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
       effect.alias_set.push_back(rival.form.effect);
   }
   effect.confidence = (1.0 - context.unnamed_share) / sum;
+  if (context.causes > kUsualCauses) effect.confidence *= kCrowded;
   return effect;
 }
 

@@ -1,4 +1,7 @@
 #pragma once
+#include <cstddef>
+#include <span>
+
 #include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/diagnosis_result.hpp"
 
@@ -9,7 +12,11 @@ struct NamingContext {
   double temperature = 1.0;    ///< of the axis, from the bootstrap
   double threshold = 0.0;      ///< evidence that chance does not reach
   double unnamed_share = 0.0;  ///< of the axis' excess, that no effect explains
+  std::size_t causes = 1;      ///< that the axis needs, as causes_of() counts them
 };
+
+/// Independent causes among the effects of an axis: the parts of friction are one.
+std::size_t causes_of(std::span<const Finding> found);
 
 /// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size, which
 /// depends on the reference point that it is stated at.

@@ -48,8 +48,6 @@ double rate_in_feed(const gap::AppliedEffect& one, const gap::EffectScales<doubl
       return size / (shape * k.feed_speed_m_s * k.mass_kg);
     case Effect::kFeedStribeckFriction:
       return size / (0.01 * k.feed_speed_m_s * k.mass_kg);
-    case Effect::kFeedBacklash:
-      return std::fabs(one.coefficient[1]) / (0.01 * k.feed_speed_m_s * k.mass_kg);
     case Effect::kFeedViscousFriction:
       return size / k.mass_kg;
     case Effect::kFeedAsymmetricFriction:

@@ -106,7 +106,10 @@ gap::EffectSignals<double> SimulatedMachine::signals_at(const PlantState<double>
           .tool_degc = temperatures_.tool_degc(),
           .winding_degc = temperatures_.winding_degc(),
           .acceleration_rad_s2 = nominal.acceleration_rad_s2,
-          .current_rate_a_s = nominal.current_rate_a_s};
+          .current_rate_a_s = nominal.current_rate_a_s,
+          .driven_speed_rad_s = state.speed_rad_s,
+          .driven_current_a = state.current_a,
+          .driven_feed_speed_m_s = state.feed_speed_m_s};
 }
 
 }  // namespace morepro::host

@@ -26,6 +26,7 @@ struct SimulatedRun {
   std::uint64_t seed = 3;
   host::ProfileKind profile = host::ProfileKind::kRich;
   MonitorConfiguration configuration = reference_configuration();
+  double process_noise = 0.0;
 };
 
 inline gap::AppliedEffect effect(Effect name, double size, double onset_s = 0.0) {
@@ -38,6 +39,7 @@ inline gap::AppliedEffect effect(Effect name, double size, double onset_s = 0.0)
 inline RecordingSignals record(const SimulatedRun& run) {
   host::SimulationOptions options{.profile = run.profile, .duration_s = run.duration_s, .seed = run.seed};
   options.effects = run.effects;
+  options.process_noise = run.process_noise;
   host::Simulation simulation(run.configuration, options);
   RecordingSignals signals;
   signals.rate_hz = options.rate_hz;

@@ -1,0 +1,239 @@
+#include "sim_host/diagnose/clock_jitter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "lib/plant/dynamics.hpp"
+#include "sim_host/diagnose/innovation_pass.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kLeastEvidence = 40.0;
+constexpr double kLeastShare = 0.01;  // of what named effects have: no law has exactly a machine's shape
+constexpr double kOutlier = 6.0;      // deviations beyond count as this
+// Of squares of rates over noise, in 1/s2: from what takes a second to be seen to a microsecond's part.
+constexpr std::size_t kBins = 320;
+constexpr double kFirstDecade = 0.0;
+constexpr double kBinsPerDecade = 20.0;
+constexpr double kMostShared = 0.3;    // by neighbours; where a law is wrong it is most of it
+constexpr double kSizeError = 0.05;   // relative: between which two rates an instant lies is not recorded
+constexpr std::size_t kFewest = 400;
+
+/// Residuals that a jitter would add the same share to, in units of the observer's variance.
+struct Bin {
+  double count = 0.0;
+  double squares = 0.0;
+  double growth = 0.0;  ///< sum of what a jitter of a second adds
+};
+
+/// What one sensor shows beside the model, in the air or in contact.
+struct Residuals {
+  std::vector<Bin> bin = std::vector<Bin>(kBins);
+  double count = 0.0;
+  double log_variance = 0.0;  ///< sum, as the observer expects it
+
+  void add(double value, double rate, double variance) {
+    const double growth = rate * rate / variance;
+    const double decades = std::log10(std::max(growth, 1.0e-300)) - kFirstDecade;
+    const double index = std::clamp(decades * kBinsPerDecade, 0.0, static_cast<double>(kBins - 1));
+    Bin& here = bin[static_cast<std::size_t>(index)];
+    here.count += 1.0;
+    here.squares += value * value / variance;
+    here.growth += growth;
+    count += 1.0;
+    log_variance += std::log(variance);
+  }
+};
+
+/// Products of neighbouring residuals and rates, and what they would be with residuals of one second times the rate: a
+/// wrong law makes residuals that go with rates, a jitter knows nothing of its neighbour.
+struct Togetherness {
+  double shared = 0.0;
+  double per_s2 = 0.0;
+  double product_before = 0.0;
+  double growth_before = 0.0;
+
+  void add(double value, double rate, double variance) {
+    const double product = value * rate / variance;
+    const double growth = rate * rate / variance;
+    shared += product * product_before;
+    per_s2 += growth * growth_before;
+    product_before = product;
+    growth_before = growth;
+  }
+};
+
+struct Evaluation {
+  std::vector<Residuals> residuals;
+  std::vector<Togetherness> togetherness;  ///< of each sensor
+};
+
+/// Rates of an axis's two sensors at the end of the interval that begins at a frame, as the model tells them: by what
+/// is measured at its beginning and its input, so that they know nothing of the next measurement.
+class Rates {
+ public:
+  Rates(Axis axis, const RecordingSignals& signals, const GapModel& model)
+      : axis_(axis), period_s_(1.0 / signals.rate_hz), plant_(model.machine), frames_(signals, model.machine, 0) {}
+
+  /// Of the interval that ends at `row`; rows in ascending order.
+  std::array<double, kSensorsPerAxis> at(std::size_t row) {
+    while (frames_.row() < row) {
+      const auto frame = frames_.next();
+      if (frame.has_speed) x_.speed_rad_s = frame.speed_rad_s;
+      if (frame.has_current) x_.current_a = frame.current_a;
+      if (frame.has_feed_speed) x_.feed_speed_m_s = frame.feed_speed_m_s;
+      input_ = frame.input;
+    }
+    const auto first = plant_.derivative(x_, input_);
+    const PlantState<double> end{x_.speed_rad_s + period_s_ * first.acceleration_rad_s2,
+                                 x_.feed_speed_m_s + period_s_ * first.feed_acceleration_m_s2,
+                                 x_.current_a + period_s_ * first.current_rate_a_s};
+    const auto last = plant_.derivative(end, input_);
+    if (axis_ == Axis::kSpindle) return {last.acceleration_rad_s2, last.current_rate_a_s};
+    return {end.feed_speed_m_s, last.feed_acceleration_m_s2};
+  }
+
+ private:
+  Axis axis_;
+  double period_s_;
+  Plant<double> plant_;
+  FrameSource frames_;
+  PlantState<double> x_{};
+  PlantInput<double> input_{};
+};
+
+bool knows_rates(const AxisFit& fit) {
+  const RecordingSignals& signals = fit.signals();
+  if (signals.is_thinned) return false;
+  if (fit.axis() == Axis::kFeed) return signals.has(Channel::kFeedSpeed);
+  return signals.has(Channel::kSpindleSpeed) && signals.has(Channel::kArmatureCurrent);
+}
+
+void look_at(const AxisFit& fit, const GapModel& model, Evaluation& evaluation) {
+  const std::size_t first = evaluation.togetherness.size();
+  evaluation.togetherness.resize(first + kSensorsPerAxis);
+  evaluation.residuals.resize(2 * (first + kSensorsPerAxis));
+  Rates rates(fit.axis(), fit.signals(), model);
+  run_observer(fit.axis(), fit.signals(), model, {}, 0, fit.signals().rows, [&](const Innovation& v) {
+    if (v.row == 0) return;
+    const std::size_t sensor = first + v.sensor;
+    const double rate = rates.at(v.row)[v.sensor];
+    const double most = kOutlier * std::sqrt(v.variance);
+    const double value = std::clamp(v.value, -most, most);
+    evaluation.residuals[2 * sensor + (v.in_contact ? 1 : 0)].add(value, rate, v.variance);
+    evaluation.togetherness[sensor].add(value, rate, v.variance);
+  });
+}
+
+/// Twice the negative logarithm of the likelihood of residuals of variance (noise + jitter_s2 growth), for the noise
+/// that fits best.
+double unlikeliness(const Residuals& r, double jitter_s2) {
+  constexpr int kRounds = 12;
+  double total = 0.0;
+  for (const Bin& bin : r.bin) total += bin.squares;
+  double noise = total / r.count;
+  const double least = 1.0e-6 * noise;
+  const auto growth_of = [&](const Bin& bin) { return jitter_s2 * bin.growth / bin.count; };
+  for (int round = 0; round < kRounds && jitter_s2 > 0.0; ++round) {
+    double sum = 0.0;
+    double weight = 0.0;
+    for (const Bin& bin : r.bin) {
+      if (bin.count == 0.0) continue;
+      const double w = 1.0 / std::pow(noise + growth_of(bin), 2);
+      sum += w * (bin.squares - bin.count * growth_of(bin));
+      weight += w * bin.count;
+    }
+    noise = std::max(sum / weight, least);
+  }
+  double sum = r.log_variance;
+  for (const Bin& bin : r.bin) {
+    if (bin.count == 0.0) continue;
+    const double variance = noise + growth_of(bin);
+    sum += bin.count * std::log(variance) + bin.squares / variance;
+  }
+  return sum;
+}
+
+double unlikeliness(const Evaluation& evaluation, double jitter_s) {
+  double sum = 0.0;
+  for (const Residuals& r : evaluation.residuals)
+    if (r.count >= kFewest) sum += unlikeliness(r, jitter_s * jitter_s);
+  return sum;
+}
+
+Evaluation evaluate(std::span<const AxisFit* const> fits, double share_of_current_noise) {
+  Evaluation evaluation;
+  for (const AxisFit* fit : fits) {
+    if (!knows_rates(*fit)) continue;
+    GapModel model = fit->model();
+    model.noise.current_step *= share_of_current_noise;
+    look_at(*fit, model, evaluation);
+  }
+  return evaluation;
+}
+
+struct Jitter {
+  double size_s = 0.0;
+  double unlikeliness = 0.0;
+};
+
+/// The most likely one up to half of a sampling interval.
+Jitter best_jitter(const Evaluation& evaluation, double period_s) {
+  constexpr double kRatio = 1.02;
+  Jitter best{0.0, unlikeliness(evaluation, 0.0)};
+  for (double size_s = 1.0e-3 * period_s; size_s < 0.5 * period_s; size_s *= kRatio) {
+    const double here = unlikeliness(evaluation, size_s);
+    if (here < best.unlikeliness) best = {size_s, here};
+  }
+  return best;
+}
+
+/// Process noise that was fitted without a jitter has taken part of it: less of it may be more likely with one.
+Jitter with_its_noise(std::span<const AxisFit* const> fits, Jitter best, double period_s) {
+  for (double share = 0.5; share > 0.01; share *= 0.5) {
+    const Jitter here = best_jitter(evaluate(fits, share), period_s);
+    if (!(here.unlikeliness < best.unlikeliness)) break;
+    best = here;
+  }
+  return best;
+}
+
+bool is_wrong_law(const Evaluation& evaluation, double jitter_s) {
+  double shared = 0.0;
+  double all = 0.0;
+  for (const Togetherness& t : evaluation.togetherness) {
+    shared += t.shared;
+    all += jitter_s * jitter_s * t.per_s2;
+  }
+  return shared > kMostShared * all;
+}
+
+/// By how much the size may change until the likelihood is that of one standard deviation, as a share.
+double relative_error(const Evaluation& evaluation, const Jitter& jitter) {
+  constexpr double kProbe = 0.1;
+  const double rise = 0.5 * (unlikeliness(evaluation, (1.0 + kProbe) * jitter.size_s) +
+                             unlikeliness(evaluation, (1.0 - kProbe) * jitter.size_s)) -
+                      unlikeliness(evaluation, jitter.size_s);
+  return kProbe / std::sqrt(std::max(rise, kProbe * kProbe));
+}
+
+}  // namespace
+
+std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits, double named_evidence) {
+  if (fits.empty()) return std::nullopt;
+  const double period_s = 1.0 / fits.front()->signals().rate_hz;
+  const Evaluation evaluation = evaluate(fits, 1.0);
+  const Jitter first = best_jitter(evaluation, period_s);
+  const double evidence = unlikeliness(evaluation, 0.0) - first.unlikeliness;
+  if (!(evidence > std::max(kLeastEvidence, kLeastShare * named_evidence))) return std::nullopt;
+  if (is_wrong_law(evaluation, first.size_s)) return std::nullopt;
+  const Jitter jitter = with_its_noise(fits, first, period_s);
+  const double error = std::hypot(relative_error(evaluation, first), kSizeError);
+  return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, jitter.size_s, error * jitter.size_s,
+                       evidence};
+}
+
+}  // namespace morepro::host

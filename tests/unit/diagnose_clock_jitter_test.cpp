@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::host {
+namespace {
+
+using diagnose_test::datasheet;
+using diagnose_test::diagnosed;
+using diagnose_test::effect;
+using diagnose_test::record;
+using diagnose_test::said;
+using diagnose_test::SimulatedRun;
+using gap::Effect;
+
+constexpr double kJitterS = 5.0e-6;
+
+SimulatedRun shaken_clock(double process_noise = 0.0) {
+  return {.effects = {effect(Effect::kClockJitter, kJitterS)}, .duration_s = 2.0, .process_noise = process_noise};
+}
+
+TEST(ClockJitter, IsNamedAloneWithItsSize) {
+  const auto result = diagnosed(record(shaken_clock()), datasheet(0.1));
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_EQ(result.which[0].effect, Effect::kClockJitter);
+  EXPECT_NEAR(result.which[0].magnitude, kJitterS, 3.0 * result.which[0].standard_error);
+  // What a sample's instant between two inputs leaves open is 5 % (clock_jitter.cpp).
+  EXPECT_LT(result.which[0].standard_error, 0.1 * kJitterS);
+}
+
+TEST(ClockJitter, ShowsInTheVoltageBalance) {
+  const auto result = diagnosed(record(shaken_clock()), datasheet(0.0));
+  for (const BalanceResult& balance : result.where)
+    EXPECT_EQ(balance.is_significant, balance.balance == gap::Balance::kArmatureVoltage);
+}
+
+TEST(ClockJitter, IsToldFromRandomLoadAndRipple) {
+  EXPECT_EQ(diagnosed(record({.duration_s = 2.0, .process_noise = 1.0}), datasheet(0.0)).verdict, Verdict::kNoGap);
+  const auto result = diagnosed(record(shaken_clock(1.0)), datasheet(0.0));
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_NEAR(result.which[0].magnitude, kJitterS, 0.2 * kJitterS);
+}
+
+TEST(ClockJitter, IsNotWhatAWrongLawLeaves) {
+  for (const auto& wrong : {effect(Effect::kCurrentDelay, 1.0e-4), effect(Effect::kInductanceSaturation, 0.01)}) {
+    const RecordingSignals signals = record({.effects = {wrong}, .duration_s = 2.0});
+    const auto result = diagnosed(signals, datasheet(0.0), {wrong.form.effect});
+    for (const EffectResult& found : result.which) EXPECT_NE(found.effect, Effect::kClockJitter) << said(result);
+  }
+}
+
+TEST(ClockJitter, CanBeLeftOutOfTheCatalogue) {
+  const auto result = diagnosed(record(shaken_clock()), datasheet(0.0), {Effect::kClockJitter});
+  for (const EffectResult& found : result.which) EXPECT_NE(found.effect, Effect::kClockJitter);
+}
+
+// A random force that lasts some samples is no delay of the sensor that sees it.
+TEST(RandomLoad, IsNoDelay) {
+  for (const std::uint64_t seed : {3U, 5U}) {
+    const auto result =
+        diagnosed(record({.duration_s = 3.0, .seed = seed, .process_noise = 2.0}), datasheet(0.1));
+    EXPECT_EQ(result.verdict, Verdict::kParameterError) << said(result);
+  }
+}
+
+}  // namespace
+}  // namespace morepro::host
