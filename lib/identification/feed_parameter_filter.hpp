@@ -5,6 +5,7 @@
 
 #include "lib/estimation/feed_filter.hpp"
 #include "lib/estimation/ud_covariance.hpp"
+#include "lib/identification/learning_mode.hpp"
 #include "lib/identification/retraction.hpp"
 
 namespace morepro {
@@ -15,8 +16,8 @@ inline constexpr std::size_t kFeedParameterCount = 2;
 
 /// Extended Kalman filter over [position, speed] of the feed axis and the logarithms of its mass and contact
 /// force. Works from a measured speed, a measured position or both. Process noise and UD form as in
-/// SpindleParameterFilter. Bounded time; may run in an interrupt.
-template <class Real>
+/// SpindleParameterFilter. Bounded time; may run in an interrupt. `Mode`: see learning_mode.hpp.
+template <class Real, class Mode = OnLine>
 class FeedParameterFilter {
  public:
   using Values = std::array<Real, kFeedParameterCount>;
@@ -34,8 +35,16 @@ class FeedParameterFilter {
 
   /// Back to the datasheet.
   void forget() {
-    value_ = datasheet_;
+    anchor_at(datasheet_);
     covariance_ = Covariance({Real(1), Real(1), start_variance_, start_variance_});
+  }
+
+  /// As SpindleParameterFilter::anchor_at. A contact force of 0 in the datasheet is no parameter.
+  void anchor_at(const Values& values) {
+    value_ = values;
+    if constexpr (Mode::kIsAnchored)
+      for (std::size_t j = 0; j < kFeedParameterCount; ++j)
+        deviation_[j] = datasheet_[j] > Real(0) ? math::log(datasheet_[j] / values[j]) : Real(0);
   }
 
   /// Position and speed start from the measurement; what is known of the parameters stays.
@@ -57,13 +66,19 @@ class FeedParameterFilter {
     const Real acceleration = force * per_mass;
     const Real half = Real(0.5) * h;
     const Real from_contact = -pushed * per_mass;
+    const std::array<Values, 2> g{{{-acceleration * half * h, from_contact * half * h},
+                                   {-acceleration * per_acceleration, from_contact * per_acceleration}}};
     covariance_.predict(
-        {{{Real(1), h - half * decay}, {Real(0), Real(1) - decay + Real(0.5) * decay * decay}}},
-        {{{-acceleration * half * h, from_contact * half * h},
-          {-acceleration * per_acceleration, from_contact * per_acceleration}}},
+        {{{Real(1), h - half * decay}, {Real(0), Real(1) - decay + Real(0.5) * decay * decay}}}, g,
         {speed_variance * h * h, speed_variance});
     x_ += h * (v_ + half * acceleration);
     v_ += acceleration * per_acceleration;
+    if constexpr (Mode::kIsAnchored) {
+      for (std::size_t j = 0; j < kFeedParameterCount; ++j) {
+        x_ += g[0][j] * deviation_[j];
+        v_ += g[1][j] * deviation_[j];
+      }
+    }
   }
 
   /// As SpindleParameterFilter::drift.
@@ -81,7 +96,13 @@ class FeedParameterFilter {
     return nis;
   }
 
-  [[nodiscard]] Real value(FeedParameter parameter) const { return value_[index_of(parameter)]; }
+  [[nodiscard]] Real value(FeedParameter parameter) const {
+    const std::size_t j = index_of(parameter);
+    if constexpr (Mode::kIsAnchored)
+      return moved(value_[j], deviation_[j], datasheet_[j]);
+    else
+      return value_[j];
+  }
   /// Relative variance of one parameter, and relative covariance of two.
   [[nodiscard]] Real covariance(FeedParameter a, FeedParameter b) const {
     return covariance_.covariance(index_of(a) + 2, index_of(b) + 2);
@@ -103,8 +124,12 @@ class FeedParameterFilter {
     const auto update = covariance_.template update<kElement>(variance);
     x_ += update.gain[0] * innovation;
     v_ += update.gain[1] * innovation;
-    for (std::size_t j = 0; j < kFeedParameterCount; ++j)
-      value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
+    for (std::size_t j = 0; j < kFeedParameterCount; ++j) {
+      if constexpr (Mode::kIsAnchored)
+        deviation_[j] += update.gain[2 + j] * innovation;
+      else
+        value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
+    }
     return innovation * innovation / update.innovation_variance;
   }
 
@@ -117,6 +142,7 @@ class FeedParameterFilter {
   Values value_{};
   Real x_{}, v_{};
   Covariance covariance_{{}};
+  [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};
 };
 
 }  // namespace morepro

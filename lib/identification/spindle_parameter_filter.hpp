@@ -4,6 +4,7 @@
 
 #include "lib/estimation/spindle_signals.hpp"
 #include "lib/estimation/ud_covariance.hpp"
+#include "lib/identification/learning_mode.hpp"
 #include "lib/identification/retraction.hpp"
 #include "lib/math/matrix_exponential.hpp"
 #include "lib/plant/contact_law.hpp"
@@ -26,8 +27,9 @@ inline constexpr std::size_t kSpindleParameterCount = 5;
 ///
 /// Safe-guards against false certainty: the second-order error of a change in one period is added to the
 /// process noise, and a machine that rests teaches nothing (see RestDetector): then the parameters are
-/// frozen. Bounded time; may run in an interrupt.
-template <class Real>
+/// frozen. Bounded time; may run in an interrupt. `Mode`: see learning_mode.hpp; in Anchored none of these guards is
+/// needed, and the variances given to `predict` are those of the process noise themselves.
+template <class Real, class Mode = OnLine>
 class SpindleParameterFilter {
  public:
   using Values = std::array<Real, kSpindleParameterCount>;
@@ -51,10 +53,18 @@ class SpindleParameterFilter {
 
   /// Back to the datasheet.
   void forget() {
-    value_ = datasheet_;
+    anchor_at(datasheet_);
     known_.fill(start_variance_);
     covariance_ = Covariance({Real(1), Real(1), start_variance_, start_variance_, start_variance_,
                               start_variance_, start_variance_});
+  }
+
+  /// The values to linearise at: in Anchored throughout, else only the first estimate. All > 0.
+  void anchor_at(const Values& values) {
+    value_ = values;
+    if constexpr (Mode::kIsAnchored)
+      for (std::size_t j = 0; j < kSpindleParameterCount; ++j)
+        deviation_[j] = math::log(datasheet_[j] / values[j]);
   }
 
   /// Speed and current start from the measurement; what is known of the parameters stays.
@@ -81,26 +91,28 @@ class SpindleParameterFilter {
                    -kv * per_inductance, -resistance * per_inductance};
     const Matrix phi = held_response(a);
     const Matrix f = (a * phi).plus_identity();
-    const Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
-    const Real w_variance = state_variance_[0], i_variance = state_variance_[1];
-    w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
-    i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
-    const bool speed_moves = moves(w_change, f.a00 - Real(1), w_variance, f.a01, i_variance);
-    const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * i_variance;
-    const Values from_speed{kt * i_regressor_ * per_inertia, speed_moves ? -dw : Real(0), Real(0), Real(0),
-                            Real(0)};
-    const Values from_current{Real(0), Real(0), current_moves ? -di : Real(0),
-                              -resistance * i_regressor_ * per_inductance,
-                              -kv * w_regressor_ * per_inductance};
+    Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
+    const Regressors r = regressors(dw, di, w_change, i_change, f);
+    const Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
+    const Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
+                              -kv * r.w * per_inductance};
     std::array<Values, 2> g;
     for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
       g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
       g[1][j] = phi.a10 * from_speed[j] + phi.a11 * from_current[j];
     }
-    covariance_.predict(
-        {{{f.a00, f.a01}, {f.a10, f.a11}}}, g,
-        {Real(kProcessShare) * speed_variance + curvature(w_change, known_[0] + known_[1]),
-         Real(kProcessShare) * current_variance + curvature(i_change, known_[2] + known_[3] + known_[4])});
+    if constexpr (Mode::kIsAnchored) {
+      for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
+        w_change += g[0][j] * deviation_[j];
+        i_change += g[1][j] * deviation_[j];
+      }
+      covariance_.predict({{{f.a00, f.a01}, {f.a10, f.a11}}}, g, {speed_variance, current_variance});
+    } else {
+      covariance_.predict(
+          {{{f.a00, f.a01}, {f.a10, f.a11}}}, g,
+          {Real(kProcessShare) * speed_variance + curvature(w_change, known_[0] + known_[1]),
+           Real(kProcessShare) * current_variance + curvature(i_change, known_[2] + known_[3] + known_[4])});
+    }
     w_ += w_change;
     i_ += i_change;
   }
@@ -121,12 +133,22 @@ class SpindleParameterFilter {
     Real nis{};
     if (y.has_speed()) nis += update_one<0>(y.speed_rad_s - w_, y.speed_variance, step);
     if (y.has_current()) nis += update_one<1>(y.current_a - i_, y.current_variance, step);
-    for (std::size_t j = 0; j < kSpindleParameterCount; ++j)
-      value_[j] = moved(value_[j], step[j], datasheet_[j]);
+    for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
+      if constexpr (Mode::kIsAnchored)
+        deviation_[j] += step[j];
+      else
+        value_[j] = moved(value_[j], step[j], datasheet_[j]);
+    }
     return nis;
   }
 
-  [[nodiscard]] Real value(SpindleParameter parameter) const { return value_[index_of(parameter)]; }
+  [[nodiscard]] Real value(SpindleParameter parameter) const {
+    const std::size_t j = index_of(parameter);
+    if constexpr (Mode::kIsAnchored)
+      return moved(value_[j], deviation_[j], datasheet_[j]);
+    else
+      return value_[j];
+  }
   /// Relative variance of one parameter, and relative covariance of two.
   [[nodiscard]] Real covariance(SpindleParameter a, SpindleParameter b) const {
     return covariance_.covariance(index_of(a) + 2, index_of(b) + 2);
@@ -155,11 +177,26 @@ class SpindleParameterFilter {
   /// Integral of exp(A s) over one period, by its series to the fourth term: 4e-4 of the change in one period
   /// where the electrical time constant is two periods, less elsewhere. `Monitor` refuses slower sampling.
   Matrix held_response(const Matrix& a) const {
+    if constexpr (Mode::kIsAnchored) return math::exponential_step(a, period_s_).integral;
     const Matrix z = a * period_s_;
     Matrix series = (z * Real(0.25)).plus_identity();
     series = (z * series * Real(1.0 / 3.0)).plus_identity();
     series = (z * series * Real(0.5)).plus_identity();
     return series * period_s_;
+  }
+
+  /// What the slopes by the parameters are made of; on line, what is nothing but noise is taken out.
+  struct Regressors {
+    Real w, i, dw, di;
+  };
+  Regressors regressors(Real dw, Real di, Real w_change, Real i_change, const Matrix& f) {
+    if constexpr (Mode::kIsAnchored) return {w_, i_, dw, di};
+    const Real w_variance = state_variance_[0], i_variance = state_variance_[1];
+    w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
+    i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
+    const bool speed_moves = moves(w_change, f.a00 - Real(1), w_variance, f.a01, i_variance);
+    const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * i_variance;
+    return {w_regressor_, i_regressor_, speed_moves ? dw : Real(0), current_moves ? di : Real(0)};
   }
 
   static bool moves(Real change, Real per_w, Real w_variance, Real per_i, Real i_variance) {
@@ -206,6 +243,7 @@ class SpindleParameterFilter {
   Real w_regressor_{}, i_regressor_{};
   Values known_{};  ///< relative variance of each parameter, refreshed by its drift
   Covariance covariance_{{}};
+  [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};
 };
 
 }  // namespace morepro
