@@ -26,8 +26,7 @@ struct DerivativeMeasurement {
 /// so the covariance falls into blocks of 2 + 2 + 3 parameters as soon as the datasheet's errors are independent.
 ///
 /// Literal: it takes every row as it comes. Noise in w, v, i is not modelled, and it does not know when it learns
-/// nothing; DerivativeIdentification guards it. Parameters stay in [1/50, 50] of the datasheet's values, which must be
-/// > 0. Bounded time; may run in an interrupt.
+/// nothing; DerivativeIdentification guards it. The datasheet's values must be > 0. Bounded time; may run in an interrupt.
 template <class Real>
 class DerivativeParameterFilter {
  public:
@@ -77,29 +76,40 @@ class DerivativeParameterFilter {
 
   /// A random walk of one parameter: its variance grows by that of `fraction` of the datasheet's value.
   void drift(Parameter parameter, Real fraction) {
-    on_block(parameter, [&](auto& block, std::size_t j) {
+    on_block(*this, parameter, [&](auto& block) {
+      const std::size_t j = place_of(parameter);
       const Real deviation = fraction * block.datasheet[j];
       block.covariance.add_variance(j, deviation * deviation);
     });
   }
 
+  /// Back into [1/50, 50] of the datasheet's value.
+  void bound(Parameter parameter) {
+    on_block(*this, parameter, [&](auto& block) {
+      const std::size_t j = place_of(parameter);
+      block.value[j] = std::clamp(block.value[j], Real(0.02) * block.datasheet[j], Real(50) * block.datasheet[j]);
+    });
+  }
+
   [[nodiscard]] Real value(Parameter parameter) const {
     Real result{};
-    on_block(parameter, [&](const auto& block, std::size_t j) { result = block.value[j]; });
+    on_block(*this, parameter, [&](const auto& block) { result = block.value[place_of(parameter)]; });
     return result;
   }
-  /// Relative to the squared value.
-  [[nodiscard]] Real variance(Parameter parameter) const {
+  /// Relative covariance of two parameters, 0 where they belong to different balances.
+  [[nodiscard]] Real covariance(Parameter a, Parameter b) const {
+    if (balance_of(a) != balance_of(b)) return Real(0);
     Real result{};
-    on_block(parameter, [&](const auto& block, std::size_t j) {
-      result = block.covariance.covariance(j, j) / (block.value[j] * block.value[j]);
+    on_block(*this, a, [&](const auto& block) {
+      result = block.covariance.covariance(place_of(a), place_of(b)) /
+               (block.value[place_of(a)] * block.value[place_of(b)]);
     });
     return result;
   }
 
  private:
   /// The parameters of one balance; number `kDivisor` divides its row: a step that would not leave it positive is not
-  /// taken.
+  /// taken, so that every row stays finite.
   template <std::size_t kN, std::size_t kDivisor>
   struct Block {
     using Values = std::array<Real, kN>;
@@ -127,32 +137,16 @@ class DerivativeParameterFilter {
     UdBlock<Real, kN> covariance;
   };
 
-  /// Calls `act` with the block of a parameter and its place there.
-  template <class Act>
-  void on_block(Parameter parameter, Act act) {
-    visit(*this, parameter, act);
-  }
-  template <class Act>
-  void on_block(Parameter parameter, Act act) const {
-    visit(*this, parameter, act);
-  }
+  /// Calls `act` with the block of a parameter.
   template <class Self, class Act>
-  static void visit(Self& self, Parameter parameter, Act act) {
-    switch (parameter) {
-      case Parameter::kTorqueConstant:
-        return act(self.torque_, 0);
-      case Parameter::kInertia:
-        return act(self.torque_, 1);
-      case Parameter::kMass:
-        return act(self.force_, 0);
-      case Parameter::kContactForce:
-        return act(self.force_, 1);
-      case Parameter::kInductance:
-        return act(self.voltage_, 0);
-      case Parameter::kResistance:
-        return act(self.voltage_, 1);
-      case Parameter::kBackEmfConstant:
-        return act(self.voltage_, 2);
+  static void on_block(Self& self, Parameter parameter, Act act) {
+    switch (balance_of(parameter)) {
+      case DerivativeBalance::kTorque:
+        return act(self.torque_);
+      case DerivativeBalance::kForce:
+        return act(self.force_);
+      case DerivativeBalance::kVoltage:
+        return act(self.voltage_);
     }
   }
 

@@ -1,9 +1,26 @@
 #pragma once
 #include <array>
 
-#include "lib/plant/machine_parameters.hpp"
+#include <cstddef>
+#include <cstdint>
+
+#include "lib/plant/parameter.hpp"
 
 namespace morepro {
+
+/// The rows of equation 22: w', v', i'.
+enum class DerivativeBalance : std::uint8_t { kTorque, kForce, kVoltage };
+
+/// The row that a parameter stands in, and its place among that row's parameters.
+constexpr DerivativeBalance balance_of(Parameter parameter) {
+  return parameter <= Parameter::kInertia        ? DerivativeBalance::kTorque
+         : parameter <= Parameter::kContactForce ? DerivativeBalance::kForce
+                                                 : DerivativeBalance::kVoltage;
+}
+constexpr std::size_t place_of(Parameter parameter) {
+  const std::size_t j = index_of(parameter);
+  return j < 2 ? j : j < 4 ? j - 2 : j - 4;
+}
 
 /// What the three balances are evaluated with, all at one instant.
 template <class Real>

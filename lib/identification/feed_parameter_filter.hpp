@@ -42,9 +42,7 @@ class FeedParameterFilter {
   /// As SpindleParameterFilter::anchor_at. A contact force of 0 in the datasheet is no parameter.
   void anchor_at(const Values& values) {
     value_ = values;
-    if constexpr (Mode::kIsAnchored)
-      for (std::size_t j = 0; j < kFeedParameterCount; ++j)
-        deviation_[j] = datasheet_[j] > Real(0) ? math::log(datasheet_[j] / values[j]) : Real(0);
+    if constexpr (Mode::kIsAnchored) deviation_.value.fill(Real(0));
   }
 
   /// Position and speed start from the measurement; what is known of the parameters stays.
@@ -53,6 +51,14 @@ class FeedParameterFilter {
     v_ = y.has_speed() ? y.speed_m_s : Real(0);
     covariance_.restart(0, y.has_position() ? y.position_variance : Real(1));
     covariance_.restart(1, y.has_speed() ? y.speed_variance : Real(1));
+    if constexpr (Mode::kIsAnchored) deviation_.has_held = false;
+  }
+
+  /// As SpindleParameterFilter::hold, of force and contact; the speed may still rise.
+  void hold(bool is_still)
+    requires Mode::kIsAnchored
+  {
+    deviation_.is_still = is_still;
   }
 
   /// Over the period that ended with the present frame; second order in the period, exact without friction.
@@ -66,8 +72,14 @@ class FeedParameterFilter {
     const Real acceleration = force * per_mass;
     const Real half = Real(0.5) * h;
     const Real from_contact = -pushed * per_mass;
-    const std::array<Values, 2> g{{{-acceleration * half * h, from_contact * half * h},
-                                   {-acceleration * per_acceleration, from_contact * per_acceleration}}};
+    Real from_mass = -acceleration;
+    if constexpr (Mode::kIsAnchored) {
+      if (!deviation_.is_still || !deviation_.has_held) deviation_.held = from_mass;
+      deviation_.has_held = true;
+      from_mass = deviation_.held;
+    }
+    const std::array<Values, 2> g{{{from_mass * half * h, from_contact * half * h},
+                                   {from_mass * per_acceleration, from_contact * per_acceleration}}};
     covariance_.predict(
         {{{Real(1), h - half * decay}, {Real(0), Real(1) - decay + Real(0.5) * decay * decay}}}, g,
         {speed_variance * h * h, speed_variance});
@@ -75,8 +87,8 @@ class FeedParameterFilter {
     v_ += acceleration * per_acceleration;
     if constexpr (Mode::kIsAnchored) {
       for (std::size_t j = 0; j < kFeedParameterCount; ++j) {
-        x_ += g[0][j] * deviation_[j];
-        v_ += g[1][j] * deviation_[j];
+        x_ += g[0][j] * deviation_.value[j];
+        v_ += g[1][j] * deviation_.value[j];
       }
     }
   }
@@ -99,7 +111,7 @@ class FeedParameterFilter {
   [[nodiscard]] Real value(FeedParameter parameter) const {
     const std::size_t j = index_of(parameter);
     if constexpr (Mode::kIsAnchored)
-      return moved(value_[j], deviation_[j], datasheet_[j]);
+      return moved(value_[j], deviation_.value[j], datasheet_[j]);
     else
       return value_[j];
   }
@@ -108,6 +120,8 @@ class FeedParameterFilter {
     return covariance_.covariance(index_of(a) + 2, index_of(b) + 2);
   }
   [[nodiscard]] Real start_variance() const { return start_variance_; }
+  /// Of the last update; empty in OnLine.
+  [[nodiscard]] const typename Mode::template Record<Real>& record() const { return record_; }
 
  private:
   using Covariance = UdCovariance<Real, 2 + kFeedParameterCount>;
@@ -122,11 +136,12 @@ class FeedParameterFilter {
   template <std::size_t kElement>
   Real update_one(Real innovation, Real variance) {
     const auto update = covariance_.template update<kElement>(variance);
+    record_.take(kElement, innovation, update.innovation_variance);
     x_ += update.gain[0] * innovation;
     v_ += update.gain[1] * innovation;
     for (std::size_t j = 0; j < kFeedParameterCount; ++j) {
       if constexpr (Mode::kIsAnchored)
-        deviation_[j] += update.gain[2 + j] * innovation;
+        deviation_.value[j] += update.gain[2 + j] * innovation;
       else
         value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
     }
@@ -142,6 +157,7 @@ class FeedParameterFilter {
   Values value_{};
   Real x_{}, v_{};
   Covariance covariance_{{}};
+  [[no_unique_address]] typename Mode::template Record<Real> record_{};
   [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};
 };
 

@@ -1,4 +1,8 @@
 #pragma once
+#include <array>
+#include <cstddef>
+
+#include "lib/math/elementary.hpp"
 
 namespace morepro {
 
@@ -8,6 +12,10 @@ struct OnLine {
   static constexpr bool kIsAnchored = false;
   template <class Values>
   struct Deviation {};
+  template <class Real>
+  struct Record {
+    void take(std::size_t /*element*/, Real /*innovation*/, Real /*variance*/) {}
+  };
 };
 
 /// One more pass over frames that are there already: every step is linearised at the values that an earlier pass found,
@@ -16,7 +24,22 @@ struct OnLine {
 struct Anchored {
   static constexpr bool kIsAnchored = true;
   template <class Values>
-  using Deviation = Values;
+  struct Deviation {
+    Values value{};         ///< of the logarithms from those of the anchor
+    bool is_still = false;  ///< slopes are held
+    bool has_held = false;
+    typename Values::value_type held{};  ///< the slope that a rest of the feed axis holds
+  };
+  /// What the last update saw of each measured element.
+  template <class Real>
+  struct Record {
+    void take(std::size_t element, Real innovation, Real variance) {
+      normalised[element] = innovation / math::sqrt(variance);
+      log_variance[element] = math::log(variance);
+    }
+    std::array<Real, 2> normalised{};  ///< innovation in standard deviations
+    std::array<Real, 2> log_variance{};
+  };
 };
 
 }  // namespace morepro

@@ -62,9 +62,7 @@ class SpindleParameterFilter {
   /// The values to linearise at: in Anchored throughout, else only the first estimate. All > 0.
   void anchor_at(const Values& values) {
     value_ = values;
-    if constexpr (Mode::kIsAnchored)
-      for (std::size_t j = 0; j < kSpindleParameterCount; ++j)
-        deviation_[j] = math::log(datasheet_[j] / values[j]);
+    if constexpr (Mode::kIsAnchored) deviation_.value.fill(Real(0));
   }
 
   /// Speed and current start from the measurement; what is known of the parameters stays.
@@ -73,7 +71,19 @@ class SpindleParameterFilter {
     i_ = y.current_a;
     covariance_.restart(0, y.speed_variance);
     covariance_.restart(1, y.current_variance);
+    if constexpr (Mode::kIsAnchored) {
+      w_regressor_ = w_;
+      i_regressor_ = i_;
+    }
     state_variance_ = {y.speed_variance, y.current_variance};
+  }
+
+  /// Anchored: nothing moves from now on, or it does. The noise of the first estimates of a state would turn the line on
+  /// which resistance and back-EMF constant lie, so slopes are held at rest, and nothing changes.
+  void hold(bool is_still)
+    requires Mode::kIsAnchored
+  {
+    deviation_.is_still = is_still;
   }
 
   /// Over the period that ended with the present frame, with the chip load that is being cut (not used in the
@@ -103,8 +113,8 @@ class SpindleParameterFilter {
     }
     if constexpr (Mode::kIsAnchored) {
       for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
-        w_change += g[0][j] * deviation_[j];
-        i_change += g[1][j] * deviation_[j];
+        w_change += g[0][j] * deviation_.value[j];
+        i_change += g[1][j] * deviation_.value[j];
       }
       covariance_.predict({{{f.a00, f.a01}, {f.a10, f.a11}}}, g, {speed_variance, current_variance});
     } else {
@@ -135,7 +145,7 @@ class SpindleParameterFilter {
     if (y.has_current()) nis += update_one<1>(y.current_a - i_, y.current_variance, step);
     for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
       if constexpr (Mode::kIsAnchored)
-        deviation_[j] += step[j];
+        deviation_.value[j] += step[j];
       else
         value_[j] = moved(value_[j], step[j], datasheet_[j]);
     }
@@ -145,7 +155,7 @@ class SpindleParameterFilter {
   [[nodiscard]] Real value(SpindleParameter parameter) const {
     const std::size_t j = index_of(parameter);
     if constexpr (Mode::kIsAnchored)
-      return moved(value_[j], deviation_[j], datasheet_[j]);
+      return moved(value_[j], deviation_.value[j], datasheet_[j]);
     else
       return value_[j];
   }
@@ -154,6 +164,8 @@ class SpindleParameterFilter {
     return covariance_.covariance(index_of(a) + 2, index_of(b) + 2);
   }
   [[nodiscard]] Real start_variance() const { return start_variance_; }
+  /// Of the last update; empty in OnLine.
+  [[nodiscard]] const typename Mode::template Record<Real>& record() const { return record_; }
 
  private:
   using Matrix = math::BasicMatrix2<Real>;
@@ -185,17 +197,28 @@ class SpindleParameterFilter {
     return series * period_s_;
   }
 
-  /// What the slopes by the parameters are made of; on line, what is nothing but noise is taken out.
+  /// What the slopes by the parameters are made of, without what is nothing but noise. Anchored: means over the period,
+  /// which may be as long as L/R; on line at its beginning.
   struct Regressors {
     Real w, i, dw, di;
   };
   Regressors regressors(Real dw, Real di, Real w_change, Real i_change, const Matrix& f) {
-    if constexpr (Mode::kIsAnchored) return {w_, i_, dw, di};
+    if constexpr (Mode::kIsAnchored) {
+      if (deviation_.is_still) return {w_regressor_, i_regressor_, Real(0), Real(0)};
+    }
     const Real w_variance = state_variance_[0], i_variance = state_variance_[1];
-    w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
-    i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
     const bool speed_moves = moves(w_change, f.a00 - Real(1), w_variance, f.a01, i_variance);
     const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * i_variance;
+    if constexpr (Mode::kIsAnchored) {
+      const Real per_period = Real(1) / period_s_;
+      w_regressor_ = w_ + Real(0.5) * w_change;
+      i_regressor_ = i_ + Real(0.5) * i_change;
+      dw = w_change * per_period;
+      di = i_change * per_period;
+    } else {
+      w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
+      i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
+    }
     return {w_regressor_, i_regressor_, speed_moves ? dw : Real(0), current_moves ? di : Real(0)};
   }
 
@@ -223,6 +246,7 @@ class SpindleParameterFilter {
   template <std::size_t kElement>
   Real update_one(Real innovation, Real variance, Values& step) {
     const auto update = covariance_.template update<kElement>(variance);
+    record_.take(kElement, innovation, update.innovation_variance);
     // P+ of the measured element is its gain times the measurement's variance.
     state_variance_[kElement] = update.gain[kElement] * variance;
     w_ += update.gain[0] * innovation;
@@ -243,6 +267,7 @@ class SpindleParameterFilter {
   Real w_regressor_{}, i_regressor_{};
   Values known_{};  ///< relative variance of each parameter, refreshed by its drift
   Covariance covariance_{{}};
+  [[no_unique_address]] typename Mode::template Record<Real> record_{};
   [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};
 };
 
