@@ -143,8 +143,9 @@ class DerivativeIdentification {
     turn_ = turn_ + 1 < kParameterCount ? turn_ + 1 : 0;
     const auto parameter = static_cast<Parameter>(turn_);
     filter_.bound(parameter);
-    constexpr auto kTurns = static_cast<Real>(kParameterCount);  // frames between two turns of a parameter: its square
-    if (information(parameter) == Information::kAlone) filter_.drift(parameter, kTurns * drift_fraction_);
+    // A turn comes every kParameterCount^2 frames; a random walk grows with the root of them.
+    constexpr auto kRootOfFrames = static_cast<Real>(kParameterCount);
+    if (information(parameter) == Information::kAlone) filter_.drift(parameter, kRootOfFrames * drift_fraction_);
   }
 
   static constexpr Parameter at(Parameter first, std::size_t j) {
