@@ -6,6 +6,7 @@
 #include "lib/estimation/spindle_signals.hpp"
 #include "lib/identification/derivative_rows.hpp"
 #include "lib/identification/ud_block.hpp"
+#include "lib/plant/machine_parameters.hpp"
 #include "lib/plant/parameter.hpp"
 
 namespace morepro {

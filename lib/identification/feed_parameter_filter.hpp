@@ -11,8 +11,12 @@
 namespace morepro {
 
 /// Order of the feed axis's parameters in its filter.
-enum class FeedParameter : std::uint8_t { kMass, kContactForce };
-inline constexpr std::size_t kFeedParameterCount = 2;
+enum class FeedParameter : std::uint8_t {
+  kMass,
+  kContactForce,
+  kViscousFriction,  ///< where the mode finds it
+};
+inline constexpr std::size_t kFeedParameterCount = 2;  ///< on line
 
 /// Extended Kalman filter over [position, speed] of the feed axis and the logarithms of its mass and contact
 /// force. Works from a measured speed, a measured position or both. Process noise and UD form as in
@@ -20,7 +24,8 @@ inline constexpr std::size_t kFeedParameterCount = 2;
 template <class Real, class Mode = OnLine>
 class FeedParameterFilter {
  public:
-  using Values = std::array<Real, kFeedParameterCount>;
+  static constexpr std::size_t kCount = kFeedParameterCount + (Mode::kFindsFriction ? 1 : 0);
+  using Values = std::array<Real, kCount>;
 
   FeedParameterFilter(const MachineParameters& machine, Real period_s, Real start_fraction,
                       Real drift_fraction)
@@ -30,18 +35,23 @@ class FeedParameterFilter {
         start_variance_(start_fraction * start_fraction),
         drift_variance_(drift_fraction * drift_fraction),
         datasheet_{static_cast<Real>(machine.feed.mass_kg), static_cast<Real>(machine.feed.contact_force_n)} {
+    if constexpr (Mode::kFindsFriction) datasheet_[kFriction] = viscous_friction_;
     forget();
   }
 
   /// Back to the datasheet.
   void forget() {
     anchor_at(datasheet_);
-    covariance_ = Covariance({Real(1), Real(1), start_variance_, start_variance_});
+    typename Covariance::Vector start;
+    start.fill(start_variance_);
+    start[0] = start[1] = Real(1);
+    covariance_ = Covariance(start);
   }
 
   /// As SpindleParameterFilter::anchor_at. A contact force of 0 in the datasheet is no parameter.
   void anchor_at(const Values& values) {
     value_ = values;
+    if constexpr (Mode::kFindsFriction) viscous_friction_ = values[kFriction];
     if constexpr (Mode::kIsAnchored) deviation_.value.fill(Real(0));
   }
 
@@ -63,7 +73,7 @@ class FeedParameterFilter {
 
   /// Over the period that ended with the present frame; second order in the period, exact without friction.
   void predict(const FeedInput<Real>& input, Real speed_variance) {
-    const auto [mass, contact_force] = value_;
+    const Real mass = value_[0], contact_force = value_[1];
     const Real h = period_s_, per_mass = Real(1) / mass;
     const Real pushed = input.contact * input.engagement * contact_force;
     const Real force = input.force_n - viscous_friction_ * v_ - pushed - input.contact * contact_offset_;
@@ -72,21 +82,25 @@ class FeedParameterFilter {
     const Real acceleration = force * per_mass;
     const Real half = Real(0.5) * h;
     const Real from_contact = -pushed * per_mass;
-    Real from_mass = -acceleration;
+    Values slope{-acceleration, from_contact};
+    if constexpr (Mode::kFindsFriction) slope[kFriction] = -viscous_friction_ * v_ * per_mass;
     if constexpr (Mode::kIsAnchored) {
-      if (!deviation_.is_still || !deviation_.has_held) deviation_.held = from_mass;
+      if (!deviation_.is_still || !deviation_.has_held) deviation_.held = slope;
       deviation_.has_held = true;
-      from_mass = deviation_.held;
+      slope = deviation_.held;
     }
-    const std::array<Values, 2> g{{{from_mass * half * h, from_contact * half * h},
-                                   {from_mass * per_acceleration, from_contact * per_acceleration}}};
+    std::array<Values, 2> g;
+    for (std::size_t j = 0; j < kCount; ++j) {
+      g[0][j] = slope[j] * half * h;
+      g[1][j] = slope[j] * per_acceleration;
+    }
     covariance_.predict(
         {{{Real(1), h - half * decay}, {Real(0), Real(1) - decay + Real(0.5) * decay * decay}}}, g,
         {speed_variance * h * h, speed_variance});
     x_ += h * (v_ + half * acceleration);
     v_ += acceleration * per_acceleration;
     if constexpr (Mode::kIsAnchored) {
-      for (std::size_t j = 0; j < kFeedParameterCount; ++j) {
+      for (std::size_t j = 0; j < kCount; ++j) {
         x_ += g[0][j] * deviation_.value[j];
         v_ += g[1][j] * deviation_.value[j];
       }
@@ -124,7 +138,9 @@ class FeedParameterFilter {
   [[nodiscard]] const typename Mode::template Record<Real>& record() const { return record_; }
 
  private:
-  using Covariance = UdCovariance<Real, 2 + kFeedParameterCount>;
+  using Covariance = UdCovariance<Real, 2 + kCount>;
+
+  static constexpr std::size_t kFriction = kFeedParameterCount;
 
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
   static constexpr double kKnown = 1.0 / 36.0;
@@ -139,7 +155,7 @@ class FeedParameterFilter {
     record_.take(kElement, innovation, update.innovation_variance);
     x_ += update.gain[0] * innovation;
     v_ += update.gain[1] * innovation;
-    for (std::size_t j = 0; j < kFeedParameterCount; ++j) {
+    for (std::size_t j = 0; j < kCount; ++j) {
       if constexpr (Mode::kIsAnchored)
         deviation_.value[j] += update.gain[2 + j] * innovation;
       else

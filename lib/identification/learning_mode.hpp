@@ -10,6 +10,7 @@ namespace morepro {
 /// certainty of a first estimate that is far off.
 struct OnLine {
   static constexpr bool kIsAnchored = false;
+  static constexpr bool kFindsFriction = false;
   template <class Values>
   struct Deviation {};
   template <class Real>
@@ -23,12 +24,13 @@ struct OnLine {
 /// recording, and its covariance that of a linear problem: no direction seems known because the linearisation moved.
 struct Anchored {
   static constexpr bool kIsAnchored = true;
+  static constexpr bool kFindsFriction = false;
   template <class Values>
   struct Deviation {
     Values value{};         ///< of the logarithms from those of the anchor
     bool is_still = false;  ///< slopes are held
     bool has_held = false;
-    typename Values::value_type held{};  ///< the slope that a rest of the feed axis holds
+    Values held{};  ///< the slopes that a rest of the feed axis holds
   };
   /// What the last update saw of each measured element.
   template <class Real>
@@ -40,6 +42,12 @@ struct Anchored {
     std::array<Real, 2> normalised{};  ///< innovation in standard deviations
     std::array<Real, 2> log_variance{};
   };
+};
+
+/// The same with the axis's viscous friction (> 0 in the datasheet) as one more parameter, the last: where it is wrong,
+/// all that it is balanced with would be wrong by as much, and sure of it.
+struct AnchoredWithFriction : Anchored {
+  static constexpr bool kFindsFriction = true;
 };
 
 }  // namespace morepro

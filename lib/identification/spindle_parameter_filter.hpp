@@ -17,9 +17,10 @@ enum class SpindleParameter : std::uint8_t {
   kInertia,
   kInductance,
   kResistance,
-  kBackEmfConstant
+  kBackEmfConstant,
+  kViscousFriction,  ///< where the mode finds it
 };
-inline constexpr std::size_t kSpindleParameterCount = 5;
+inline constexpr std::size_t kSpindleParameterCount = 5;  ///< on line
 
 /// Extended Kalman filter over [w, i] and the logarithms of five spindle parameters: identification from
 /// measured speed and current, without their derivatives. UD-factored, because recordings lose their
@@ -32,7 +33,8 @@ inline constexpr std::size_t kSpindleParameterCount = 5;
 template <class Real, class Mode = OnLine>
 class SpindleParameterFilter {
  public:
-  using Values = std::array<Real, kSpindleParameterCount>;
+  static constexpr std::size_t kCount = kSpindleParameterCount + (Mode::kFindsFriction ? 1 : 0);
+  using Values = std::array<Real, kCount>;
 
   /// `start_fraction`: standard deviation of the datasheet's values, relative, > 0. `drift_fraction`:
   /// standard deviation per step of their random walk, relative, >= 0.
@@ -48,6 +50,7 @@ class SpindleParameterFilter {
                    static_cast<Real>(machine.spindle.inductance_h),
                    static_cast<Real>(machine.spindle.resistance_ohm),
                    static_cast<Real>(machine.spindle.back_emf_constant_vs_rad)} {
+    if constexpr (Mode::kFindsFriction) datasheet_[kFriction] = viscous_friction_;
     forget();
   }
 
@@ -55,13 +58,16 @@ class SpindleParameterFilter {
   void forget() {
     anchor_at(datasheet_);
     known_.fill(start_variance_);
-    covariance_ = Covariance({Real(1), Real(1), start_variance_, start_variance_, start_variance_,
-                              start_variance_, start_variance_});
+    typename Covariance::Vector start;
+    start.fill(start_variance_);
+    start[0] = start[1] = Real(1);
+    covariance_ = Covariance(start);
   }
 
   /// The values to linearise at: in Anchored throughout, else only the first estimate. All > 0.
   void anchor_at(const Values& values) {
     value_ = values;
+    if constexpr (Mode::kFindsFriction) viscous_friction_ = values[kFriction];
     if constexpr (Mode::kIsAnchored) deviation_.value.fill(Real(0));
   }
 
@@ -90,7 +96,7 @@ class SpindleParameterFilter {
   /// air).
   void predict(const SpindleInput<Real>& input, Real chip_load_mm, Real speed_variance,
                Real current_variance) {
-    const auto [kt, inertia, inductance, resistance, kv] = value_;
+    const Real kt = value_[0], inertia = value_[1], inductance = value_[2], resistance = value_[3], kv = value_[4];
     const Real per_inertia = Real(1) / inertia, per_inductance = Real(1) / inductance;
     const auto contact = input.contact > Real(0)
                              ? law_.at_thermal_factor(w_, chip_load_mm, input.thermal_factor)
@@ -103,16 +109,20 @@ class SpindleParameterFilter {
     const Matrix f = (a * phi).plus_identity();
     Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
     const Regressors r = regressors(dw, di, w_change, i_change, f);
-    const Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
-    const Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
+    Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
+    Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
                               -kv * r.w * per_inductance};
+    if constexpr (Mode::kFindsFriction) {
+      from_speed[kFriction] = -viscous_friction_ * r.w * per_inertia;
+      from_current[kFriction] = Real(0);
+    }
     std::array<Values, 2> g;
-    for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
+    for (std::size_t j = 0; j < kCount; ++j) {
       g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
       g[1][j] = phi.a10 * from_speed[j] + phi.a11 * from_current[j];
     }
     if constexpr (Mode::kIsAnchored) {
-      for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
+      for (std::size_t j = 0; j < kCount; ++j) {
         w_change += g[0][j] * deviation_.value[j];
         i_change += g[1][j] * deviation_.value[j];
       }
@@ -143,7 +153,7 @@ class SpindleParameterFilter {
     Real nis{};
     if (y.has_speed()) nis += update_one<0>(y.speed_rad_s - w_, y.speed_variance, step);
     if (y.has_current()) nis += update_one<1>(y.current_a - i_, y.current_variance, step);
-    for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
+    for (std::size_t j = 0; j < kCount; ++j) {
       if constexpr (Mode::kIsAnchored)
         deviation_.value[j] += step[j];
       else
@@ -169,7 +179,9 @@ class SpindleParameterFilter {
 
  private:
   using Matrix = math::BasicMatrix2<Real>;
-  using Covariance = UdCovariance<Real, 2 + kSpindleParameterCount>;
+  using Covariance = UdCovariance<Real, 2 + kCount>;
+
+  static constexpr std::size_t kFriction = kSpindleParameterCount;
 
   /// Process noise of w and i per step, as a share of one measurement's variance.
   static constexpr double kProcessShare = 0.01;
@@ -251,7 +263,7 @@ class SpindleParameterFilter {
     state_variance_[kElement] = update.gain[kElement] * variance;
     w_ += update.gain[0] * innovation;
     i_ += update.gain[1] * innovation;
-    for (std::size_t j = 0; j < kSpindleParameterCount; ++j) step[j] += update.gain[2 + j] * innovation;
+    for (std::size_t j = 0; j < kCount; ++j) step[j] += update.gain[2 + j] * innovation;
     return innovation * innovation / update.innovation_variance;
   }
 

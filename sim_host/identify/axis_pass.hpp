@@ -58,8 +58,9 @@ class InnovationTally {
 template <class Traits, class Mode>
 class AxisPass {
  public:
-  using Result = PassResult<Traits::kCount>;
-  using Values = std::array<double, Traits::kCount>;
+  static constexpr std::size_t kCount = Traits::template Filter<Mode>::kCount;
+  using Result = PassResult<kCount>;
+  using Values = std::array<double, kCount>;
 
   AxisPass(const RecordingSignals& signals, const MonitorConfiguration& configuration, std::size_t rows)
       : signals_(signals), configuration_(configuration), rows_(rows), traits_(configuration) {}
@@ -86,7 +87,7 @@ class AxisPass {
         if constexpr (Mode::kIsAnchored) filter.hold(!moves);
         traits_.template predict<Mode>(filter, held, process);
         if constexpr (!Mode::kIsAnchored)
-          filter.drift(static_cast<typename Traits::Name>(row % Traits::kCount), Traits::kCount);
+          filter.drift(static_cast<typename Traits::Name>(row % kCount), kCount);
         unmeasured = update(filter, frame, tally) ? 0 : unmeasured + 1;
       }
       held = frame.input;
@@ -122,9 +123,9 @@ class AxisPass {
 
   static Result result_of(const Filter& filter, const InnovationTally& tally) {
     Result result;
-    for (std::size_t i = 0; i < Traits::kCount; ++i) {
+    for (std::size_t i = 0; i < kCount; ++i) {
       result.value[i] = filter.value(static_cast<typename Traits::Name>(i));
-      for (std::size_t j = 0; j < Traits::kCount; ++j)
+      for (std::size_t j = 0; j < kCount; ++j)
         result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
             filter.covariance(static_cast<typename Traits::Name>(i), static_cast<typename Traits::Name>(j));
     }

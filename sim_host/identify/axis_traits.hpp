@@ -8,7 +8,7 @@
 #include "lib/identification/feed_parameter_filter.hpp"
 #include "lib/identification/spindle_parameter_filter.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
-#include "lib/plant/parameter.hpp"
+#include "sim_host/identify/machine_value.hpp"
 
 namespace morepro::host {
 
@@ -20,10 +20,10 @@ struct SpindleTraits {
   template <class Mode>
   using Filter = SpindleParameterFilter<double, Mode>;
   using Name = SpindleParameter;
-  static constexpr std::size_t kCount = kSpindleParameterCount;
-  static constexpr std::array<Parameter, kCount> kParameters{
-      Parameter::kTorqueConstant, Parameter::kInertia, Parameter::kInductance, Parameter::kResistance,
-      Parameter::kBackEmfConstant};
+  /// In the filter's order.
+  static constexpr std::array kValues{MachineValue::kTorqueConstant,  MachineValue::kInertia,
+                                      MachineValue::kInductance,      MachineValue::kResistance,
+                                      MachineValue::kBackEmfConstant, MachineValue::kSpindleFriction};
 
   /// Process noise of an on-line pass, as a share of the sensors' variances: that filter takes its own share of them.
   static constexpr double kOnLineShare = 1.0;
@@ -71,8 +71,7 @@ struct FeedTraits {
   template <class Mode>
   using Filter = FeedParameterFilter<double, Mode>;
   using Name = FeedParameter;
-  static constexpr std::size_t kCount = kFeedParameterCount;
-  static constexpr std::array<Parameter, kCount> kParameters{Parameter::kMass, Parameter::kContactForce};
+  static constexpr std::array kValues{MachineValue::kMass, MachineValue::kContactForce, MachineValue::kFeedFriction};
 
   static constexpr double kOnLineShare = 1.0e-3;
 

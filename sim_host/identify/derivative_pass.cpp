@@ -2,7 +2,6 @@
 
 #include "lib/identification/derivative_identification.hpp"
 #include "lib/plant/contact_law.hpp"
-#include "sim_host/identify/axis_traits.hpp"
 
 namespace morepro::host {
 namespace {
@@ -68,15 +67,16 @@ class Pass {
   Filter filter_;
 };
 
-AxisEstimate estimate_of(const DerivativeParameterFilter<double>& filter, std::vector<Parameter> parameters) {
-  AxisEstimate estimate{.parameters = std::move(parameters), .value = {}, .covariance = {}};
-  const auto count = static_cast<Eigen::Index>(estimate.parameters.size());
+AxisEstimate estimate_of(const DerivativeParameterFilter<double>& filter, const std::vector<Parameter>& parameters) {
+  AxisEstimate estimate;
+  const auto count = static_cast<Eigen::Index>(parameters.size());
   estimate.covariance.resize(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Parameter a = estimate.parameters[static_cast<std::size_t>(i)];
+    const Parameter a = parameters[static_cast<std::size_t>(i)];
+    estimate.names.push_back(value_of(a));
     estimate.value.push_back(filter.value(a));
     for (Eigen::Index j = 0; j < count; ++j)
-      estimate.covariance(i, j) = filter.covariance(a, estimate.parameters[static_cast<std::size_t>(j)]);
+      estimate.covariance(i, j) = filter.covariance(a, parameters[static_cast<std::size_t>(j)]);
   }
   return estimate;
 }

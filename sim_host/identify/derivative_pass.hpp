@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "sim_host/identify/parameter_verdict.hpp"
+#include "sim_host/identify/axis_identification.hpp"
 
 namespace morepro::host {
 

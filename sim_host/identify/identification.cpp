@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim_host/identify/axis_identification.hpp"
 #include "sim_host/identify/derivative_pass.hpp"
 #include "sim_host/identify/parameter_verdict.hpp"
-#include "sim_host/replay/names.hpp"
 
 namespace morepro::host {
 namespace {
 
-constexpr double kColoured = 0.5;  // correlation of innovations of a model that does not fit
-
-/// Of a mean over samples that are correlated with their neighbours; and sensors that are noisier than described.
-double inflation_of(double ratio, double correlation) {
-  const double coloured = std::clamp(correlation, 0.0, 0.99);
-  return std::sqrt(std::max(ratio, 1.0) * (1.0 + coloured) / (1.0 - coloured));
-}
+constexpr const char* kGivenFriction = "taken with the {} of the machine file, which this recording does not tell";
 
 class Identifier {
  public:
@@ -32,65 +24,82 @@ class Identifier {
     result_.rate_hz = signals.rate_hz;
     result_.duration_s = signals.duration_s();
     result_.missing_rows = signals.missing_rows;
-    for (std::size_t j = 0; j < kParameterCount; ++j) obstruct(static_cast<Parameter>(j));
+    for (std::size_t j = 0; j < kMachineValueCount; ++j) obstruct(static_cast<MachineValue>(j));
   }
 
   IdentificationResult run() {
     if (result_.filter == IdentificationFilter::kDerivatives) {
-      if (is_open_any(std::array{Parameter::kTorqueConstant, Parameter::kMass}))
-        for (const AxisEstimate& estimate : derivative_estimates()) take(estimate);
+      if (is_open(MachineValue::kTorqueConstant) || is_open(MachineValue::kMass)) {
+        on_stage_("accelerations");
+        for (const AxisEstimate& estimate : derivative_pass(signals_, machine_.configuration)) take(estimate);
+      }
     } else {
-      if (is_open_any(SpindleTraits::kParameters)) take_axis<SpindleTraits>("spindle");
-      if (is_open_any(FeedTraits::kParameters)) take_axis<FeedTraits>("feed");
+      if (is_open(MachineValue::kTorqueConstant)) take_axis<SpindleTraits>("spindle");
+      if (is_open(MachineValue::kMass)) take_axis<FeedTraits>("feed");
     }
     advise();
+    // A friction that was not asked for has no line of its own.
+    std::erase_if(result_.parameters, [&](const ParameterResult& p) { return p.reason == kNotAsked; });
     return std::move(result_);
   }
 
  private:
-  void obstruct(Parameter parameter) {
-    std::string obstacle = obstacle_to(parameter, result_.filter, signals_, machine_);
-    is_open_[index_of(parameter)] = obstacle.empty();
-    result_.parameters.push_back(unanswered(parameter, machine_, std::move(obstacle)));
+  static constexpr const char* kNotAsked = "not asked for";
+
+  bool is_open(MachineValue value) const { return is_open_[index_of(value)]; }
+
+  void obstruct(MachineValue value) {
+    std::string obstacle =
+        is_friction(value) ? std::string(kNotAsked) : obstacle_to(value, result_.filter, signals_, machine_);
+    is_open_[index_of(value)] = obstacle.empty();
+    result_.parameters.push_back(unanswered(value, machine_, std::move(obstacle)));
   }
 
-  template <std::size_t kCount>
-  bool is_open_any(const std::array<Parameter, kCount>& parameters) const {
-    return std::any_of(parameters.begin(), parameters.end(), [&](Parameter p) { return is_open_[index_of(p)]; });
-  }
-
-  std::vector<AxisEstimate> derivative_estimates() const {
-    on_stage_("accelerations");
-    return derivative_pass(signals_, machine_.configuration);
-  }
-
+  /// With the friction where the recording tells it.
   template <class Traits>
   void take_axis(const char* axis) {
-    const auto found = identify_axis<Traits>(signals_, machine_.configuration, [&] { on_stage_(axis); });
-    result_.axes.push_back(
-        {axis, found.last.ratio, found.last.correlation, found.process_share, found.passes});
-    take({.parameters = {Traits::kParameters.begin(), Traits::kParameters.end()},
-          .value = {found.last.value.begin(), found.last.value.end()},
-          .covariance = found.last.covariance,
-          .inflation = inflation_of(found.last.ratio, found.last.correlation),
-          .has_settled = found.has_settled,
-          .fits = found.last.correlation < kColoured});
+    const MachineValue friction = Traits::kValues.back();
+    const OnPass on_pass = [&] { on_stage_(axis); };
+    const bool has_friction = value_in(machine_.configuration.machine, friction) > 0.0;
+    AxisEstimate found = identify_axis<Traits>(signals_, machine_.configuration, has_friction, on_pass);
+    const bool tells_friction = has_friction && is_told(found, found.names.size() - 1);
+    int passes = found.passes;
+    if (has_friction && !tells_friction) {
+      found = identify_axis<Traits>(signals_, machine_.configuration, false, on_pass);
+      passes += found.passes;
+    }
+    is_open_[index_of(friction)] = tells_friction;
+    result_.axes.push_back({axis, found.ratio, found.correlation, found.process_share, passes});
+    take(found);
+    if (has_friction && !tells_friction) mention(friction);
   }
 
   void take(const AxisEstimate& estimate) {
-    for (std::size_t i = 0; i < estimate.parameters.size(); ++i) {
-      const std::size_t j = index_of(estimate.parameters[i]);
+    for (std::size_t i = 0; i < estimate.names.size(); ++i) {
+      const std::size_t j = index_of(estimate.names[i]);
       if (is_open_[j]) result_.parameters[j] = answered(estimate, i, machine_);
+    }
+  }
+
+  /// The values that are balanced with a friction are as right as it is.
+  void mention(MachineValue friction) {
+    const bool is_feed = is_of_feed(friction);
+    for (const MachineValue value : {is_feed ? MachineValue::kMass : MachineValue::kTorqueConstant,
+                                     is_feed ? MachineValue::kContactForce : MachineValue::kInertia}) {
+      ParameterResult& result = result_.parameters[index_of(value)];
+      if (!result.is_identifiable) continue;
+      result.reason += fmt::format("{}{}", result.reason.empty() ? "" : "; ",
+                                   fmt::format(fmt::runtime(kGivenFriction), name_of(friction)));
     }
   }
 
   void advise() {
     std::vector<std::string> wanted;
     bool is_any_open = false;
-    for (std::size_t j = 0; j < kParameterCount; ++j) {
+    for (std::size_t j = 0; j < kMachineValueCount; ++j) {
       if (!is_open_[j]) continue;
       is_any_open = true;
-      const std::string advice = excitation_for(static_cast<Parameter>(j));
+      const std::string advice = excitation_for(static_cast<MachineValue>(j));
       if (!result_.parameters[j].is_identifiable && std::find(wanted.begin(), wanted.end(), advice) == wanted.end())
         wanted.push_back(advice);
     }
@@ -104,35 +113,9 @@ class Identifier {
   const RecordingSignals& signals_;
   const MachineDescription& machine_;
   const OnStage& on_stage_;
-  std::array<bool, kParameterCount> is_open_{};
+  std::array<bool, kMachineValueCount> is_open_{};
   IdentificationResult result_;
 };
-
-void set_value(MachineParameters& machine, Parameter parameter, double value) {
-  switch (parameter) {
-    case Parameter::kTorqueConstant:
-      machine.spindle.torque_constant_nm_a = value;
-      break;
-    case Parameter::kInertia:
-      machine.spindle.inertia_kgm2 = value;
-      break;
-    case Parameter::kMass:
-      machine.feed.mass_kg = value;
-      break;
-    case Parameter::kContactForce:
-      machine.feed.contact_force_n = value;
-      break;
-    case Parameter::kInductance:
-      machine.spindle.inductance_h = value;
-      break;
-    case Parameter::kResistance:
-      machine.spindle.resistance_ohm = value;
-      break;
-    case Parameter::kBackEmfConstant:
-      machine.spindle.back_emf_constant_vs_rad = value;
-      break;
-  }
-}
 
 }  // namespace
 
@@ -143,10 +126,10 @@ IdentificationResult identify(const RecordingSignals& signals, const MachineDesc
 
 MachineDescription identified_machine(const MachineDescription& machine, const IdentificationResult& result) {
   MachineDescription identified = machine;
-  for (std::size_t j = 0; j < result.parameters.size(); ++j) {
-    const ParameterResult& parameter = result.parameters[j];
-    if (parameter.is_identifiable)
-      set_value(identified.configuration.machine, static_cast<Parameter>(j), parameter.refit);
+  for (std::size_t j = 0; j < kMachineValueCount; ++j) {
+    const auto value = static_cast<MachineValue>(j);
+    for (const ParameterResult& p : result.parameters)
+      if (p.is_identifiable && p.name == name_of(value)) value_in(identified.configuration.machine, value) = p.refit;
   }
   return identified;
 }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "lib/plant/parameter.hpp"
 #include "sim_host/diagnose/diagnosis_result.hpp"
 #include "sim_host/diagnose/recording_signals.hpp"
 #include "sim_host/machine/machine_description.hpp"
@@ -35,7 +34,7 @@ struct IdentificationResult {
   double duration_s = 0.0;
   std::size_t missing_rows = 0;
   IdentificationFilter filter = IdentificationFilter::kStates;
-  /// In the order of Parameter; NaN: no value.
+  /// In the order of MachineValue, the frictions only where they were found; NaN: no value.
   std::vector<ParameterResult> parameters;
   std::vector<AxisFitFigures> axes;
   bool is_sufficient = false;  ///< everything was identified that the recorded signals could tell
@@ -45,7 +44,8 @@ struct IdentificationResult {
 /// Called with the name of the stage before every pass over the recording.
 using OnStage = std::function<void(const std::string& stage)>;
 
-/// Identifies the seven parameters of a machine, the machine's values being the datasheet's.
+/// Identifies the seven parameters of a machine, the machine's values being the datasheet's. Where the recording tells
+/// the viscous friction of an axis too, it is found with them; else the datasheet's is taken, and said.
 IdentificationResult identify(const RecordingSignals& signals, const MachineDescription& machine,
                               IdentificationFilter filter, const OnStage& on_stage);
 

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "lib/identification/derivative_rows.hpp"
 #include "sim_host/identify/axis_traits.hpp"
-#include "sim_host/replay/names.hpp"
 
 namespace morepro::host {
 namespace {
@@ -16,22 +15,24 @@ constexpr double kSharp = 0.05;       // a relative standard error above says no
 constexpr double kLearnt = 1.0 / 3.0;  // of the datasheet's own standard error
 constexpr double kShown = 0.25;       // known too badly to be used, well enough to be shown
 constexpr double kCorrelated = 0.9;
+constexpr double kColoured = 0.5;  // correlation of innovations of a model that does not fit
 
 constexpr const char* kWithOffset =
     "only together with contact_offset_n, which is taken for the datasheet's; to tell them apart, record different "
     "engagements";
 
-bool is_spindle(Parameter parameter) {
-  return parameter != Parameter::kMass && parameter != Parameter::kContactForce;
+bool is_of_voltage(MachineValue value) {
+  return value == MachineValue::kInductance || value == MachineValue::kResistance ||
+         value == MachineValue::kBackEmfConstant;
 }
 
-std::vector<Channel> needed(Parameter parameter, IdentificationFilter filter) {
+std::vector<Channel> needed(MachineValue value, IdentificationFilter filter) {
   const bool by_derivatives = filter == IdentificationFilter::kDerivatives;
   std::vector<Channel> channels{Channel::kArmatureVoltage, Channel::kSpindleSpeed, Channel::kArmatureCurrent};
   if (by_derivatives) channels = {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kSpindleAcceleration};
-  if (!is_spindle(parameter)) channels = {Channel::kFeedForce};
-  if (!is_spindle(parameter) && by_derivatives) channels.push_back(Channel::kFeedAcceleration);
-  if (parameter == Parameter::kContactForce) channels.push_back(Channel::kContact);
+  if (is_of_feed(value)) channels = {Channel::kFeedForce};
+  if (is_of_feed(value) && by_derivatives) channels.push_back(Channel::kFeedAcceleration);
+  if (value == MachineValue::kContactForce) channels.push_back(Channel::kContact);
   return channels;
 }
 
@@ -41,7 +42,9 @@ bool has_feed_motion(const RecordingSignals& signals) {
 
 double deviation_of(const AxisEstimate& e, std::size_t i) {
   const auto k = static_cast<Eigen::Index>(i);
-  return std::sqrt(e.covariance(k, k)) * e.inflation;
+  // Innovations that follow each other count less, sensors that are noisier than described weigh less.
+  const double coloured = std::clamp(e.correlation, 0.0, 0.99);
+  return std::sqrt(e.covariance(k, k) * std::max(e.ratio, 1.0) * (1.0 + coloured) / (1.0 - coloured));
 }
 
 /// The parameter that number `index` is most correlated with; itself where that is not much.
@@ -49,7 +52,7 @@ std::size_t partner_of(const AxisEstimate& e, std::size_t index) {
   const auto i = static_cast<Eigen::Index>(index);
   std::size_t partner = index;
   double most = kCorrelated;
-  for (std::size_t k = 0; k < e.parameters.size(); ++k) {
+  for (std::size_t k = 0; k < e.names.size(); ++k) {
     const auto j = static_cast<Eigen::Index>(k);
     const double correlation =
         std::abs(e.covariance(i, j)) / std::sqrt(e.covariance(i, i) * e.covariance(j, j));
@@ -60,77 +63,88 @@ std::size_t partner_of(const AxisEstimate& e, std::size_t index) {
   return partner;
 }
 
+bool fits(const AxisEstimate& e) { return e.correlation < kColoured; }
+
 std::string reason_for(const AxisEstimate& e, std::size_t index) {
-  if (!e.fits) return "the model does not fit the recording; 'morepro diagnose' tells what it lacks";
-  const char* advice = excitation_for(e.parameters[index]);
+  if (!fits(e)) return "the model does not fit the recording; 'morepro diagnose' tells what it lacks";
+  const char* advice = excitation_for(e.names[index]);
+  if (!e.has_settled) return fmt::format("the estimate does not settle; it needs {}", advice);
   const std::size_t partner = partner_of(e, index);
   const double deviation = deviation_of(e, index);
   if (partner != index)
-    return fmt::format("only a combination with {} is told; it needs {}", name_of(e.parameters[partner]), advice);
+    return fmt::format("only a combination with {} is told; it needs {}", name_of(e.names[partner]), advice);
   if (deviation > kSharp && deviation < kShown) return fmt::format("known to {:.0f} % only; it needs {}", 100.0 * deviation, advice);
   return fmt::format("the recording does not excite it; it needs {}", advice);
 }
 
 }  // namespace
 
-const char* excitation_for(Parameter parameter) {
-  switch (parameter) {
-    case Parameter::kTorqueConstant:
+const char* excitation_for(MachineValue value) {
+  switch (value) {
+    case MachineValue::kTorqueConstant:
       return "currents under a known load, such as contact on and off";
-    case Parameter::kInertia:
+    case MachineValue::kInertia:
       return "speeds that change, such as steps of the voltage";
-    case Parameter::kMass:
+    case MachineValue::kMass:
       return "steps of the feed force";
-    case Parameter::kContactForce:
+    case MachineValue::kContactForce:
       return "contact on and off";
-    case Parameter::kInductance:
+    case MachineValue::kInductance:
       return "steps of the voltage, sampled several times within L/R";
-    case Parameter::kResistance:
+    case MachineValue::kResistance:
       return "currents that vary apart from the speed, such as contact on and off";
-    case Parameter::kBackEmfConstant:
+    case MachineValue::kBackEmfConstant:
       return "speeds that vary apart from the current, such as contact on and off";
+    case MachineValue::kSpindleFriction:
+      return "several speeds, in the air and in the cut";
+    case MachineValue::kFeedFriction:
+      return "several feed speeds";
   }
   return "";
 }
 
-std::string obstacle_to(Parameter parameter, IdentificationFilter filter, const RecordingSignals& signals,
+std::string obstacle_to(MachineValue value, IdentificationFilter filter, const RecordingSignals& signals,
                         const MachineDescription& machine) {
-  const bool is_described = is_spindle(parameter) ? machine.has_spindle : machine.has_feed;
-  if (!is_described) return fmt::format("the machine file describes no {}", is_spindle(parameter) ? "[spindle]" : "[feed]");
-  if (!(datasheet_value(machine.configuration.machine, parameter) > 0.0))
-    return fmt::format("{} is 0 in the machine file; give it a value to start from", name_of(parameter));
-  if (filter == IdentificationFilter::kDerivatives && balance_of(parameter) == DerivativeBalance::kVoltage)
+  const bool is_described = !is_of_feed(value) ? machine.has_spindle : machine.has_feed;
+  if (!is_described) return fmt::format("the machine file describes no {}", !is_of_feed(value) ? "[spindle]" : "[feed]");
+  if (!(value_in(machine.configuration.machine, value) > 0.0))
+    return fmt::format("{} is 0 in the machine file; give it a value to start from", name_of(value));
+  if (filter == IdentificationFilter::kDerivatives && is_of_voltage(value))
     return "a recording holds no derivative of the current; use --filter states";
   std::string absent;
-  for (const Channel channel : needed(parameter, filter))
+  for (const Channel channel : needed(value, filter))
     if (!signals.has(channel))
       absent += fmt::format("{}{}", absent.empty() ? "" : ", ", info_of(channel).column);
-  if (!is_spindle(parameter) && !has_feed_motion(signals))
+  if (is_of_feed(value) && !has_feed_motion(signals))
     absent += fmt::format("{}feed_speed_m_s or feed_position_m", absent.empty() ? "" : ", ");
   return absent.empty() ? "" : fmt::format("not recorded: {}", absent);
 }
 
-ParameterResult unanswered(Parameter parameter, const MachineDescription& machine, std::string reason) {
-  const bool is_described = is_spindle(parameter) ? machine.has_spindle : machine.has_feed;
+ParameterResult unanswered(MachineValue value, const MachineDescription& machine, std::string reason) {
+  const bool is_described = !is_of_feed(value) ? machine.has_spindle : machine.has_feed;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  return {std::string(name_of(parameter)),
-          is_described ? datasheet_value(machine.configuration.machine, parameter) : kNone,
+  return {std::string(name_of(value)),
+          is_described ? value_in(machine.configuration.machine, value) : kNone,
           kNone,
           kNone,
           false,
           std::move(reason)};
 }
 
-ParameterResult answered(const AxisEstimate& e, std::size_t index, const MachineDescription& machine) {
-  const Parameter parameter = e.parameters[index];
+bool is_told(const AxisEstimate& e, std::size_t index) {
   const double deviation = deviation_of(e, index);
-  ParameterResult result = unanswered(parameter, machine, "");
-  result.is_identifiable =
-      e.fits && e.has_settled && deviation <= kSharp && deviation <= kLearnt * kDatasheetFraction;
+  return fits(e) && e.has_settled && deviation <= kSharp && deviation <= kLearnt * kDatasheetFraction;
+}
+
+ParameterResult answered(const AxisEstimate& e, std::size_t index, const MachineDescription& machine) {
+  const MachineValue value = e.names[index];
+  const double deviation = deviation_of(e, index);
+  ParameterResult result = unanswered(value, machine, "");
+  result.is_identifiable = is_told(e, index);
   result.reason = !result.is_identifiable                 ? reason_for(e, index)
-                  : parameter == Parameter::kContactForce ? kWithOffset
+                  : value == MachineValue::kContactForce ? kWithOffset
                                                           : "";
-  if (result.is_identifiable || (e.fits && deviation < kShown)) {
+  if (result.is_identifiable || (fits(e) && deviation < kShown)) {
     result.refit = e.value[index];
     result.standard_error = e.value[index] * deviation;
   }
