@@ -61,10 +61,10 @@ class FeedParameterFilter {
     v_ = y.has_speed() ? y.speed_m_s : Real(0);
     covariance_.restart(0, y.has_position() ? y.position_variance : Real(1));
     covariance_.restart(1, y.has_speed() ? y.speed_variance : Real(1));
-    if constexpr (Mode::kIsAnchored) deviation_.has_held = false;
+    if constexpr (Mode::kIsAnchored) v_regressor() = v_;
   }
 
-  /// As SpindleParameterFilter::hold, of force and contact; the speed may still rise.
+  /// As SpindleParameterFilter::hold.
   void hold(bool is_still)
     requires Mode::kIsAnchored
   {
@@ -83,12 +83,11 @@ class FeedParameterFilter {
     const Real half = Real(0.5) * h;
     const Real from_contact = -pushed * per_mass;
     Values slope{-acceleration, from_contact};
-    if constexpr (Mode::kFindsFriction) slope[kFriction] = -viscous_friction_ * v_ * per_mass;
     if constexpr (Mode::kIsAnchored) {
-      if (!deviation_.is_still || !deviation_.has_held) deviation_.held = slope;
-      deviation_.has_held = true;
-      slope = deviation_.held;
+      if (!deviation_.is_still) v_regressor() = v_;
+      slope[0] -= viscous_friction_ * (v_ - v_regressor()) * per_mass;
     }
+    if constexpr (Mode::kFindsFriction) slope[kFriction] = -viscous_friction_ * v_regressor() * per_mass;
     std::array<Values, 2> g;
     for (std::size_t j = 0; j < kCount; ++j) {
       g[0][j] = slope[j] * half * h;
@@ -144,6 +143,12 @@ class FeedParameterFilter {
 
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
   static constexpr double kKnown = 1.0 / 36.0;
+
+  Real& v_regressor()
+    requires Mode::kIsAnchored
+  {
+    return deviation_.held;
+  }
 
   static constexpr std::size_t index_of(FeedParameter parameter) {
     return static_cast<std::size_t>(parameter);

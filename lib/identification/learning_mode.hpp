@@ -27,10 +27,9 @@ struct Anchored {
   static constexpr bool kFindsFriction = false;
   template <class Values>
   struct Deviation {
-    Values value{};         ///< of the logarithms from those of the anchor
-    bool is_still = false;  ///< slopes are held
-    bool has_held = false;
-    Values held{};  ///< the slopes that a rest of the feed axis holds
+    Values value{};                      ///< of the logarithms from those of the anchor
+    bool is_still = false;               ///< what the slopes are made of is held
+    typename Values::value_type held{};  ///< the feed speed that a rest holds
   };
   /// What the last update saw of each measured element.
   template <class Real>

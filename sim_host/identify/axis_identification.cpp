@@ -8,7 +8,8 @@ namespace morepro::host {
 namespace {
 
 constexpr int kMostSteps = 10;
-constexpr double kSmallStep = 0.2;          // of a standard error
+constexpr double kSmallStep = 0.5;          // of a standard error
+constexpr double kVague = 0.05;             // what is known no better need not stand still
 constexpr double kWorthIt = 3.0;            // log-likelihood that a larger process noise must bring
 constexpr std::size_t kNoiseRows = 100000;  // tell the process noise well enough
 constexpr double kLeastShare = 1.0e-8;
@@ -74,7 +75,8 @@ class Search {
       const auto k = static_cast<Eigen::Index>(j);
       if (!(found_.value[j] > 0.0)) continue;  // no parameter
       const double step = std::abs(std::log(next.value[j] / found_.value[j]));
-      if (!(step <= kSmallStep * std::sqrt(next.covariance(k, k)))) return false;
+      const double deviation = std::sqrt(next.covariance(k, k));
+      if (deviation < kVague && !(step <= kSmallStep * deviation)) return false;
     }
     return true;
   }
