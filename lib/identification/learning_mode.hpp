@@ -30,6 +30,7 @@ struct Anchored {
     Values value{};                      ///< of the logarithms from those of the anchor
     bool is_still = false;               ///< what the slopes are made of is held
     typename Values::value_type held{};  ///< the feed speed that a rest holds
+    std::array<typename Values::value_type, 2> reference{};  ///< speed and current of a spindle, nearly without noise
   };
   /// What the last update saw of each measured element.
   template <class Real>

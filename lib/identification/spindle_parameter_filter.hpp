@@ -80,6 +80,7 @@ class SpindleParameterFilter {
     if constexpr (Mode::kIsAnchored) {
       w_regressor_ = w_;
       i_regressor_ = i_;
+      deviation_.reference = {w_, i_};
     }
     state_variance_ = {y.speed_variance, y.current_variance};
   }
@@ -108,7 +109,11 @@ class SpindleParameterFilter {
     const Matrix phi = held_response(a);
     const Matrix f = (a * phi).plus_identity();
     Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
-    const Regressors r = regressors(dw, di, w_change, i_change, f);
+    Regressors r;
+    if constexpr (Mode::kIsAnchored)
+      r = mean_regressors(dw, di, a, phi);
+    else
+      r = regressors(dw, di, w_change, i_change, f);
     Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
     Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
                               -kv * r.w * per_inductance};
@@ -149,6 +154,11 @@ class SpindleParameterFilter {
 
   /// Uses the measurements; returns the normalised innovation squared.
   Real update(const SpindleMeasurement<Real>& y) {
+    if constexpr (Mode::kIsAnchored) {
+      auto& reference = deviation_.reference;
+      if (y.has_speed()) reference[0] += Real(kReferenceGain) * (y.speed_rad_s - reference[0]);
+      if (y.has_current()) reference[1] += Real(kReferenceGain) * (y.current_a - reference[1]);
+    }
     Values step{};
     Real nis{};
     if (y.has_speed()) nis += update_one<0>(y.speed_rad_s - w_, y.speed_variance, step);
@@ -191,6 +201,9 @@ class SpindleParameterFilter {
   /// regressor that is nothing but noise pumps its parameter in one direction, and claims to know it.
   static constexpr double kMoves = 10.0;
 
+  /// Of what a measurement is away from the reference, per frame.
+  static constexpr double kReferenceGain = 1.0 / 256.0;
+
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
   static constexpr double kKnown = 1.0 / 36.0;
 
@@ -209,29 +222,36 @@ class SpindleParameterFilter {
     return series * period_s_;
   }
 
-  /// What the slopes by the parameters are made of, without what is nothing but noise. Anchored: means over the period,
-  /// which may be as long as L/R; on line at its beginning.
+  /// What the slopes by the parameters are made of.
   struct Regressors {
     Real w, i, dw, di;
   };
+  /// On line: at the beginning of the period, without what is nothing but noise.
   Regressors regressors(Real dw, Real di, Real w_change, Real i_change, const Matrix& f) {
-    if constexpr (Mode::kIsAnchored) {
-      if (deviation_.is_still) return {w_regressor_, i_regressor_, Real(0), Real(0)};
-    }
     const Real w_variance = state_variance_[0], i_variance = state_variance_[1];
+    w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
+    i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
     const bool speed_moves = moves(w_change, f.a00 - Real(1), w_variance, f.a01, i_variance);
     const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * i_variance;
-    if constexpr (Mode::kIsAnchored) {
-      const Real per_period = Real(1) / period_s_;
-      w_regressor_ = w_ + Real(0.5) * w_change;
-      i_regressor_ = i_ + Real(0.5) * i_change;
-      dw = w_change * per_period;
-      di = i_change * per_period;
-    } else {
-      w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
-      i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
-    }
     return {w_regressor_, i_regressor_, speed_moves ? dw : Real(0), current_moves ? di : Real(0)};
+  }
+
+  /// Anchored: of a reference that follows the machine a hundred times slower than the estimate does, so that next to no
+  /// noise is in it. Means over the period, which may be as long as L/R. At rest speed and current are held, and
+  /// nothing changes.
+  Regressors mean_regressors(Real dw, Real di, const Matrix& a, const Matrix& phi) {
+    auto& reference = deviation_.reference;
+    const Real w_off = reference[0] - w_, i_off = reference[1] - i_;
+    const Real w_rate = dw + a.a00 * w_off + a.a01 * i_off, i_rate = di + a.a10 * w_off + a.a11 * i_off;
+    const Real w_change = phi.a00 * w_rate + phi.a01 * i_rate, i_change = phi.a10 * w_rate + phi.a11 * i_rate;
+    const Real w_mean = reference[0] + Real(0.5) * w_change, i_mean = reference[1] + Real(0.5) * i_change;
+    reference[0] += w_change;
+    reference[1] += i_change;
+    if (deviation_.is_still) return {w_regressor_, i_regressor_, Real(0), Real(0)};
+    w_regressor_ = w_mean;
+    i_regressor_ = i_mean;
+    const Real per_period = Real(1) / period_s_;
+    return {w_mean, i_mean, w_change * per_period, i_change * per_period};
   }
 
   static bool moves(Real change, Real per_w, Real w_variance, Real per_i, Real i_variance) {
