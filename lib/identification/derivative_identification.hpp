@@ -23,17 +23,18 @@ struct RegressorNoise {
   Real current_variance{};
 };
 
-/// DerivativeParameterFilter with its guards. Noise of speed and current turns the line on which two parameters lie
-/// and pumps those that a derivative multiplies (errors in the variables): so a slope stands still while its state only
-/// shivers, and a derivative counts from five standard deviations on. Per window of frames it is asked what the frames
-/// tell of each parameter and of each combination; what they do not tell neither learns nor drifts.
+/// DerivativeParameterFilter with its guards. Noise of speed and current turns the line on which two
+/// parameters lie and pumps those that a derivative multiplies (errors in the variables): so a slope stands
+/// still while its state only shivers, and a derivative counts from five standard deviations on. Per window
+/// of frames it is asked what the frames tell of each parameter and of each combination; what they do not
+/// tell neither learns nor drifts.
 template <class Real>
 class DerivativeIdentification {
  public:
   static constexpr std::size_t kWindowFrames = 2048;
 
-  DerivativeIdentification(const MachineParameters& machine, const RegressorNoise<Real>& noise, Real start_fraction,
-                           Real drift_fraction)
+  DerivativeIdentification(const MachineParameters& machine, const RegressorNoise<Real>& noise,
+                           Real start_fraction, Real drift_fraction)
       : filter_(machine, start_fraction),
         noise_(noise),
         spindle_friction_(static_cast<Real>(machine.spindle.viscous_friction_nms_rad)),
@@ -49,20 +50,26 @@ class DerivativeIdentification {
     if (y.acceleration_variance < Real(kUnmeasured)) step_torque(u, y);
     if (y.feed_acceleration_variance < Real(kUnmeasured)) step_force(u, y);
     if (y.current_rate_variance < Real(kUnmeasured)) step_voltage(u, y);
-    if (++frames_ % kParameterCount == 0) drift();
+    // What was learnt so far is a start, not a certainty.
+    if (++frames_ == kSettleFrames) filter_.restart_covariance();
+    if (frames_ % kParameterCount == 0) drift();
   }
 
   [[nodiscard]] const DerivativeParameterFilter<Real>& filter() const { return filter_; }
   /// Of the last complete window; kAlone before the first.
-  [[nodiscard]] Information information(Parameter parameter) const { return information_[index_of(parameter)]; }
+  [[nodiscard]] Information information(Parameter parameter) const {
+    return information_[index_of(parameter)];
+  }
   /// With which parameter only a combination is told.
   [[nodiscard]] Parameter partner(Parameter parameter) const { return partner_[index_of(parameter)]; }
 
  private:
-  static constexpr double kHeld = 10.0;      // standard deviations that a state must leave its held value by
-  static constexpr double kMoves = 5.0;      // and that a derivative must be away from zero
-  static constexpr double kEnough = 100.0;   // information of a window: a standard error of 10 %
-  static constexpr double kOwnShare = 0.02;  // of it that must be a parameter's own
+  static constexpr std::size_t kSettleFrames = 128;
+  static constexpr double kHeld = 10.0;     // standard deviations that a state must leave its held value by
+  static constexpr double kMoves = 5.0;     // and that a derivative must be away from zero
+  static constexpr double kEnough = 100.0;  // information of a window: a standard error of 10 %
+  static constexpr double kLeastShare = 1.0e-3;  // a thousand frames of one direction tell no more of it
+  static constexpr double kOwnShare = 0.02;      // of it that must be a parameter's own
 
   static Real square(Real x) { return x * x; }
   static Real held(Real value, Real now, Real variance) {
@@ -70,6 +77,11 @@ class DerivativeIdentification {
   }
   static Real gated(Real slope, Real derivative, Real variance) {
     return square(derivative) > Real(kMoves * kMoves) * variance ? slope : Real(0);
+  }
+  /// The same, but not before the other parameters fit: a wrong datasheet predicts derivatives that are not
+  /// there.
+  [[nodiscard]] Real gated_later(Real slope, Real derivative, Real variance) const {
+    return frames_ < kSettleFrames ? Real(0) : gated(slope, derivative, variance);
   }
 
   void hold_regressors(const DerivativeInput<Real>& u) {
@@ -84,10 +96,10 @@ class DerivativeIdentification {
     const Real noise =
         square(per_current) * noise_.current_variance + square(per_speed) * noise_.speed_variance;
     row.slope[0] = current_ / filter_.value(Parameter::kInertia);
-    row.slope[1] = gated(row.slope[1], row.derivative, noise);
+    row.slope[1] = gated_later(row.slope[1], row.derivative, noise);
     const Real variance = y.acceleration_variance + noise;
-    see(torque_window_, Parameter::kTorqueConstant, row, variance);
-    filter_.learn_torque(row, y.acceleration_rad_s2, variance);
+    const Real least = see(torque_window_, Parameter::kTorqueConstant, row, variance);
+    filter_.learn_torque(row, y.acceleration_rad_s2, variance, least);
   }
 
   void step_force(const DerivativeInput<Real>& u, const DerivativeMeasurement<Real>& y) {
@@ -95,8 +107,8 @@ class DerivativeIdentification {
     const Real noise = square(feed_friction_ / filter_.value(Parameter::kMass)) * noise_.feed_speed_variance;
     row.slope[0] = gated(row.slope[0], row.derivative, noise);
     const Real variance = y.feed_acceleration_variance + noise;
-    see(force_window_, Parameter::kMass, row, variance);
-    filter_.learn_force(row, y.feed_acceleration_m_s2, variance);
+    const Real least = see(force_window_, Parameter::kMass, row, variance);
+    filter_.learn_force(row, y.feed_acceleration_m_s2, variance, least);
   }
 
   void step_voltage(const DerivativeInput<Real>& u, const DerivativeMeasurement<Real>& y) {
@@ -105,24 +117,32 @@ class DerivativeIdentification {
     const Real noise =
         square(filter_.value(Parameter::kResistance) * per_inductance) * noise_.current_variance +
         square(filter_.value(Parameter::kBackEmfConstant) * per_inductance) * noise_.speed_variance;
-    row.slope[0] = gated(row.slope[0], row.derivative, noise);
+    row.slope[0] = gated_later(row.slope[0], row.derivative, noise);
     row.slope[1] = -current_ * per_inductance;
     row.slope[2] = -speed_ * per_inductance;
     const Real variance = y.current_rate_variance + noise;
-    see(voltage_window_, Parameter::kInductance, row, variance);
-    filter_.learn_voltage(row, y.current_rate_a_s, variance);
+    const Real least = see(voltage_window_, Parameter::kInductance, row, variance);
+    filter_.learn_voltage(row, y.current_rate_a_s, variance, least);
   }
 
-  /// Counts what the row tells, then takes what the last window did not tell out of it. `first`: the parameter of its
-  /// first slope.
+  /// Counts what the row tells, then takes what the last window did not tell out of it. `first`: the
+  /// parameter of its first slope. Returns how uncertain the row's prediction must be to be used: where only
+  /// a combination is told, and that is known, rounding and the bend of the line on which its parameters lie
+  /// would move them along it.
   template <std::size_t kN>
-  void see(InformationWindow<Real, kN>& window, Parameter first, DerivativeRow<Real, kN>& row, Real variance) {
+  Real see(InformationWindow<Real, kN>& window, Parameter first, DerivativeRow<Real, kN>& row,
+           Real variance) {
     std::array<Real, kN> relative{};
     for (std::size_t j = 0; j < kN; ++j) relative[j] = row.slope[j] * filter_.value(at(first, j));
     window.take(relative, Real(1) / variance);
     if (window.frames() == kWindowFrames) judge(window, first);
-    for (std::size_t j = 0; j < kN; ++j)
-      if (information(at(first, j)) == Information::kNone) row.slope[j] = Real(0);
+    bool is_all = true;
+    for (std::size_t j = 0; j < kN; ++j) {
+      const Information told = information(at(first, j));
+      if (told == Information::kNone) row.slope[j] = Real(0);
+      is_all = is_all && told == Information::kAlone;
+    }
+    return is_all ? Real(0) : Real(kLeastShare);
   }
 
   template <std::size_t kN>
@@ -145,7 +165,8 @@ class DerivativeIdentification {
     filter_.bound(parameter);
     // A turn comes every kParameterCount^2 frames; a random walk grows with the root of them.
     constexpr auto kRootOfFrames = static_cast<Real>(kParameterCount);
-    if (information(parameter) == Information::kAlone) filter_.drift(parameter, kRootOfFrames * drift_fraction_);
+    if (information(parameter) == Information::kAlone)
+      filter_.drift(parameter, kRootOfFrames * drift_fraction_);
   }
 
   static constexpr Parameter at(Parameter first, std::size_t j) {

@@ -23,11 +23,13 @@ struct DerivativeMeasurement {
 };
 
 /// The thesis's extended Kalman filter over seven parameters, with the measured derivatives w', v', i' as its
-/// outputs and the corrected Jacobian (equation 22). Each output depends on the parameters of its own balance only,
-/// so the covariance falls into blocks of 2 + 2 + 3 parameters as soon as the datasheet's errors are independent.
+/// outputs and the corrected Jacobian (equation 22). Each output depends on the parameters of its own balance
+/// only, so the covariance falls into blocks of 2 + 2 + 3 parameters as soon as the datasheet's errors are
+/// independent.
 ///
-/// Literal: it takes every row as it comes. Noise in w, v, i is not modelled, and it does not know when it learns
-/// nothing; DerivativeIdentification guards it. The datasheet's values must be > 0. Bounded time; may run in an interrupt.
+/// Literal: it takes every row as it comes. Noise in w, v, i is not modelled, and it does not know when it
+/// learns nothing; DerivativeIdentification guards it. The datasheet's values must be > 0. Bounded time; may
+/// run in an interrupt.
 template <class Real>
 class DerivativeParameterFilter {
  public:
@@ -56,16 +58,20 @@ class DerivativeParameterFilter {
     return morepro::voltage_row(voltage_.value, u);
   }
 
-  /// One measured derivative; the row may have been changed by the caller (a slope of 0: nothing is learnt about that
-  /// parameter here). Variance > 0.
-  void learn_torque(const DerivativeRow<Real, 2>& row, Real acceleration_rad_s2, Real variance) {
-    torque_.learn(row, acceleration_rad_s2, variance);
+  /// One measured derivative; the row may have been changed by the caller (a slope of 0: nothing is learnt
+  /// about that parameter here). Variance > 0. A row whose prediction is uncertain by less than `least_share`
+  /// of the measurement's variance is not used: it could only turn what is known already.
+  void learn_torque(const DerivativeRow<Real, 2>& row, Real acceleration_rad_s2, Real variance,
+                    Real least_share = Real(0)) {
+    torque_.learn(row, acceleration_rad_s2, variance, least_share);
   }
-  void learn_force(const DerivativeRow<Real, 2>& row, Real acceleration_m_s2, Real variance) {
-    force_.learn(row, acceleration_m_s2, variance);
+  void learn_force(const DerivativeRow<Real, 2>& row, Real acceleration_m_s2, Real variance,
+                   Real least_share = Real(0)) {
+    force_.learn(row, acceleration_m_s2, variance, least_share);
   }
-  void learn_voltage(const DerivativeRow<Real, 3>& row, Real current_rate_a_s, Real variance) {
-    voltage_.learn(row, current_rate_a_s, variance);
+  void learn_voltage(const DerivativeRow<Real, 3>& row, Real current_rate_a_s, Real variance,
+                     Real least_share = Real(0)) {
+    voltage_.learn(row, current_rate_a_s, variance, least_share);
   }
 
   /// One frame in which all three are measured.
@@ -84,11 +90,19 @@ class DerivativeParameterFilter {
     });
   }
 
+  /// The values stay, and are known no better than a datasheet.
+  void restart_covariance() {
+    torque_.restart_covariance();
+    force_.restart_covariance();
+    voltage_.restart_covariance();
+  }
+
   /// Back into [1/50, 50] of the datasheet's value.
   void bound(Parameter parameter) {
     on_block(*this, parameter, [&](auto& block) {
       const std::size_t j = place_of(parameter);
-      block.value[j] = std::clamp(block.value[j], Real(0.02) * block.datasheet[j], Real(50) * block.datasheet[j]);
+      block.value[j] =
+          std::clamp(block.value[j], Real(0.02) * block.datasheet[j], Real(50) * block.datasheet[j]);
     });
   }
 
@@ -109,16 +123,19 @@ class DerivativeParameterFilter {
   }
 
  private:
-  /// The parameters of one balance; number `kDivisor` divides its row: a step that would not leave it positive is not
-  /// taken, so that every row stays finite.
+  /// The parameters of one balance; number `kDivisor` divides its row: a step that would not leave it
+  /// positive is not taken, so that every row stays finite.
   template <std::size_t kN, std::size_t kDivisor>
   struct Block {
     using Values = std::array<Real, kN>;
 
     Block(const Values& from, Real start_fraction)
-        : datasheet(from), value(from), covariance(variances(from, start_fraction)) {}
+        : datasheet(from), value(from), start(start_fraction), covariance(variances(from, start_fraction)) {}
 
-    void learn(const DerivativeRow<Real, kN>& row, Real measured, Real variance) {
+    void restart_covariance() { covariance = UdBlock<Real, kN>(variances(datasheet, start)); }
+
+    void learn(const DerivativeRow<Real, kN>& row, Real measured, Real variance, Real least_share) {
+      if (least_share > Real(0) && covariance.variance_along(row.slope) < least_share * variance) return;
       const auto update = covariance.update(row.slope, variance);
       const Real share = (measured - row.derivative) * update.inverse_variance;
       const Real divisor = value[kDivisor] + update.direction[kDivisor] * share;
@@ -135,6 +152,7 @@ class DerivativeParameterFilter {
 
     Values datasheet;
     Values value;
+    Real start;  ///< relative standard deviation of the datasheet's values
     UdBlock<Real, kN> covariance;
   };
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-
 #include <cstddef>
 #include <cstdint>
 
@@ -30,7 +29,7 @@ struct DerivativeInput {
   Real current_a{};
   Real armature_voltage_v{};
   Real feed_force_n{};
-  Real contact{};            ///< 0 or 1
+  Real contact{};  ///< 0 or 1
   Real engagement = Real(1);
   Real contact_torque_nm{};  ///< of ContactLaw, 0 without contact
 };
@@ -54,8 +53,8 @@ DerivativeRow<Real, 2> torque_row(const std::array<Real, 2>& theta, Real viscous
   return {derivative, {u.current_a * per_inertia, -derivative * per_inertia}};
 }
 
-/// Row v' of equation 22: slopes by mass > 0 and contact force. The print multiplies the slope by the mass with the
-/// contact in the wrong place, which is right for contact 1 only; -v'/m holds for both. Unit m/s2.
+/// Row v' of equation 22: slopes by mass > 0 and contact force. The print multiplies the slope by the mass
+/// with the contact in the wrong place, which is right for contact 1 only; -v'/m holds for both. Unit m/s2.
 template <class Real>
 DerivativeRow<Real, 2> force_row(const std::array<Real, 2>& theta, Real viscous_friction_ns_m,
                                  Real contact_offset_n, const DerivativeInput<Real>& u) {

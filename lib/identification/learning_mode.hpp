@@ -6,8 +6,8 @@
 
 namespace morepro {
 
-/// Frames arrive one after the other: every step is linearised at the present estimate, behind guards against the false
-/// certainty of a first estimate that is far off.
+/// Frames arrive one after the other: every step is linearised at the present estimate, behind guards against
+/// the false certainty of a first estimate that is far off.
 struct OnLine {
   static constexpr bool kIsAnchored = false;
   static constexpr bool kFindsFriction = false;
@@ -19,9 +19,10 @@ struct OnLine {
   };
 };
 
-/// One more pass over frames that are there already: every step is linearised at the values that an earlier pass found,
-/// and the logarithmic deviation from them is estimated linearly. One pass is a Gauss-Newton step of the whole
-/// recording, and its covariance that of a linear problem: no direction seems known because the linearisation moved.
+/// One more pass over frames that are there already: every step is linearised at the values that an earlier
+/// pass found, and the logarithmic deviation from them is estimated linearly. One pass is a Gauss-Newton step
+/// of the whole recording, and its covariance that of a linear problem: no direction seems known because the
+/// linearisation moved.
 struct Anchored {
   static constexpr bool kIsAnchored = true;
   static constexpr bool kFindsFriction = false;
@@ -30,7 +31,8 @@ struct Anchored {
     Values value{};                      ///< of the logarithms from those of the anchor
     bool is_still = false;               ///< what the slopes are made of is held
     typename Values::value_type held{};  ///< the feed speed that a rest holds
-    std::array<typename Values::value_type, 2> reference{};  ///< speed and current of a spindle, nearly without noise
+    std::array<typename Values::value_type, 2>
+        reference{};  ///< speed and current of a spindle, nearly without noise
   };
   /// What the last update saw of each measured element.
   template <class Real>
@@ -44,8 +46,8 @@ struct Anchored {
   };
 };
 
-/// The same with the axis's viscous friction (> 0 in the datasheet) as one more parameter, the last: where it is wrong,
-/// all that it is balanced with would be wrong by as much, and sure of it.
+/// The same with the axis's viscous friction (> 0 in the datasheet) as one more parameter, the last: where it
+/// is wrong, all that it is balanced with would be wrong by as much, and sure of it.
 struct AnchoredWithFriction : Anchored {
   static constexpr bool kFindsFriction = true;
 };

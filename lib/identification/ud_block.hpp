@@ -4,9 +4,9 @@
 
 namespace morepro {
 
-/// Covariance P = U D U' of kN parameters that stand still, measured by scalars y = h' theta + noise. Positive by
-/// construction, as UdCovariance, and of the smallest size: kN (kN + 1)/2 numbers. Source: Bierman (1977),
-/// chapters III and V. Bounded time, no state beyond P.
+/// Covariance P = U D U' of kN parameters that stand still, measured by scalars y = h' theta + noise.
+/// Positive by construction, as UdCovariance, and of the smallest size: kN (kN + 1)/2 numbers. Source:
+/// Bierman (1977), chapters III and V. Bounded time, no state beyond P.
 template <class Real, std::size_t kN>
 class UdBlock {
  public:
@@ -62,6 +62,17 @@ class UdBlock {
     result.innovation_variance = alpha;
     result.inverse_variance = inverse;
     return result;
+  }
+
+  /// h' P h.
+  [[nodiscard]] Real variance_along(const Vector& h) const {
+    Real sum{};
+    for (std::size_t j = 0; j < kN; ++j) {
+      Real f = h[j];
+      for (std::size_t i = 0; i < j; ++i) f += u_[place(i, j)] * h[i];
+      sum += d_[j] * f * f;
+    }
+    return sum;
   }
 
   /// P_jj <- P_jj + q, q >= 0 (Agee and Turner).

@@ -65,7 +65,8 @@ class AxisPass {
   AxisPass(const RecordingSignals& signals, const MonitorConfiguration& configuration, std::size_t rows)
       : signals_(signals), configuration_(configuration), rows_(rows), traits_(configuration) {}
 
-  /// Linearised or started at `anchor`. `process_share`: process noise per step as a share of each sensor's variance.
+  /// Linearised or started at `anchor`. `process_share`: process noise per step as a share of each sensor's
+  /// variance.
   Result run(const Values& anchor, const std::array<double, 2>& process_share) {
     Filter filter(configuration_.machine, 1.0 / signals_.rate_hz, kDatasheetFraction, kDrift);
     filter.anchor_at(anchor);

@@ -15,7 +15,8 @@ namespace morepro::host {
 /// Standard deviation of a datasheet's values, relative: a factor of two either way is no surprise.
 inline constexpr double kDatasheetFraction = 0.7;
 
-/// What the passes over a recording need to know of the spindle's filter: measured elements 0 speed, 1 current.
+/// What the passes over a recording need to know of the spindle's filter: measured elements 0 speed, 1
+/// current.
 struct SpindleTraits {
   template <class Mode>
   using Filter = SpindleParameterFilter<double, Mode>;
@@ -25,12 +26,14 @@ struct SpindleTraits {
                                       MachineValue::kInductance,      MachineValue::kResistance,
                                       MachineValue::kBackEmfConstant, MachineValue::kSpindleFriction};
 
-  /// Process noise of an on-line pass, as a share of the sensors' variances: that filter takes its own share of them.
+  /// Process noise of an on-line pass, as a share of the sensors' variances: that filter takes its own share
+  /// of them.
   static constexpr double kOnLineShare = 1.0;
 
   explicit SpindleTraits(const MonitorConfiguration& c)
       : law(c.machine),
-        variance{c.sensors[Channel::kSpindleSpeed].variance(), c.sensors[Channel::kArmatureCurrent].variance()} {}
+        variance{c.sensors[Channel::kSpindleSpeed].variance(),
+                 c.sensors[Channel::kArmatureCurrent].variance()} {}
 
   static std::array<bool, 2> measured(const gap::GapFrame<double>& frame) {
     return {frame.has_speed, frame.has_current};
@@ -44,9 +47,10 @@ struct SpindleTraits {
   }
 
   template <class Mode>
-  void predict(Filter<Mode>& filter, const PlantInput<double>& u, const std::array<double, 2>& process) const {
-    filter.predict({u.armature_voltage_v, u.contact, law.thermal_factor(u.tool_temperature_degc)}, u.chip_load_mm,
-                   process[0], process[1]);
+  void predict(Filter<Mode>& filter, const PlantInput<double>& u,
+               const std::array<double, 2>& process) const {
+    filter.predict({u.armature_voltage_v, u.contact, law.thermal_factor(u.tool_temperature_degc)},
+                   u.chip_load_mm, process[0], process[1]);
   }
 
   /// Does something move that a filter may learn from?
@@ -71,7 +75,8 @@ struct FeedTraits {
   template <class Mode>
   using Filter = FeedParameterFilter<double, Mode>;
   using Name = FeedParameter;
-  static constexpr std::array kValues{MachineValue::kMass, MachineValue::kContactForce, MachineValue::kFeedFriction};
+  static constexpr std::array kValues{MachineValue::kMass, MachineValue::kContactForce,
+                                      MachineValue::kFeedFriction};
 
   static constexpr double kOnLineShare = 1.0e-3;
 
@@ -86,12 +91,14 @@ struct FeedTraits {
   }
 
   FeedMeasurement<double> measurement(const gap::GapFrame<double>& frame) const {
-    return {frame.feed_speed_m_s, frame.feed_position_m, frame.has_feed_speed ? variance[1] : double(kUnmeasured),
+    return {frame.feed_speed_m_s, frame.feed_position_m,
+            frame.has_feed_speed ? variance[1] : double(kUnmeasured),
             frame.has_feed_position ? variance[0] : double(kUnmeasured)};
   }
 
   template <class Mode>
-  static void predict(Filter<Mode>& filter, const PlantInput<double>& u, const std::array<double, 2>& process) {
+  static void predict(Filter<Mode>& filter, const PlantInput<double>& u,
+                      const std::array<double, 2>& process) {
     filter.predict({u.feed_force_n, u.contact, u.engagement}, process[1]);
   }
 

@@ -36,9 +36,8 @@ class Pass {
 
   void step(const gap::GapFrame<double>& frame, std::size_t row) {
     const auto& in = frame.input;
-    DerivativeInput<double> u{frame.speed_rad_s,     frame.feed_speed_m_s, frame.current_a,
-                              in.armature_voltage_v, in.feed_force_n,      in.contact,
-                              in.engagement};
+    DerivativeInput<double> u{frame.speed_rad_s, frame.feed_speed_m_s, frame.current_a, in.armature_voltage_v,
+                              in.feed_force_n,   in.contact,           in.engagement};
     if (in.contact > 0.0)
       u.contact_torque_nm =
           in.contact * law_(frame.speed_rad_s, in.chip_load_mm, in.tool_temperature_degc).torque_nm;
@@ -67,7 +66,8 @@ class Pass {
   Filter filter_;
 };
 
-AxisEstimate estimate_of(const DerivativeParameterFilter<double>& filter, const std::vector<Parameter>& parameters) {
+AxisEstimate estimate_of(const DerivativeParameterFilter<double>& filter,
+                         const std::vector<Parameter>& parameters) {
   AxisEstimate estimate;
   const auto count = static_cast<Eigen::Index>(parameters.size());
   estimate.covariance.resize(count, count);
@@ -93,7 +93,8 @@ MonitorConfiguration moved(const MonitorConfiguration& c, const DerivativeParame
 
 }  // namespace
 
-std::vector<AxisEstimate> derivative_pass(const RecordingSignals& signals, const MonitorConfiguration& configuration) {
+std::vector<AxisEstimate> derivative_pass(const RecordingSignals& signals,
+                                          const MonitorConfiguration& configuration) {
   Pass first(signals, configuration);
   const MonitorConfiguration next = moved(configuration, first.run());
   Pass second(signals, next);

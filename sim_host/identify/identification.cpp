@@ -11,7 +11,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kGivenFriction = "taken with the {} of the machine file, which this recording does not tell";
+constexpr const char* kGivenFriction =
+    "taken with the {} of the machine file, which this recording does not tell";
 
 class Identifier {
  public:
@@ -100,7 +101,8 @@ class Identifier {
       if (!is_open_[j]) continue;
       is_any_open = true;
       const std::string advice = excitation_for(static_cast<MachineValue>(j));
-      if (!result_.parameters[j].is_identifiable && std::find(wanted.begin(), wanted.end(), advice) == wanted.end())
+      if (!result_.parameters[j].is_identifiable &&
+          std::find(wanted.begin(), wanted.end(), advice) == wanted.end())
         wanted.push_back(advice);
     }
     result_.is_sufficient = is_any_open && wanted.empty();
@@ -129,7 +131,8 @@ MachineDescription identified_machine(const MachineDescription& machine, const I
   for (std::size_t j = 0; j < kMachineValueCount; ++j) {
     const auto value = static_cast<MachineValue>(j);
     for (const ParameterResult& p : result.parameters)
-      if (p.is_identifiable && p.name == name_of(value)) value_in(identified.configuration.machine, value) = p.refit;
+      if (p.is_identifiable && p.name == name_of(value))
+        value_in(identified.configuration.machine, value) = p.refit;
   }
   return identified;
 }

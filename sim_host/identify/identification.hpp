@@ -20,8 +20,8 @@ enum class IdentificationFilter : std::uint8_t {
 /// How well the model of one axis fits with the parameters that were found.
 struct AxisFitFigures {
   std::string axis;
-  double innovation_ratio = 1.0;         ///< mean squared innovation in the sensors' noise; 1: as the sensors say
-  double correlation = 0.0;              ///< of neighbouring innovations; 0: nothing is left to explain
+  double innovation_ratio = 1.0;  ///< mean squared innovation in the sensors' noise; 1: as the sensors say
+  double correlation = 0.0;       ///< of neighbouring innovations; 0: nothing is left to explain
   std::array<double, 2> process_share{};  ///< process noise per sample, of the variance of each sensor
   int passes = 0;
 };
@@ -44,8 +44,9 @@ struct IdentificationResult {
 /// Called with the name of the stage before every pass over the recording.
 using OnStage = std::function<void(const std::string& stage)>;
 
-/// Identifies the seven parameters of a machine, the machine's values being the datasheet's. Where the recording tells
-/// the viscous friction of an axis too, it is found with them; else the datasheet's is taken, and said.
+/// Identifies the seven parameters of a machine, the machine's values being the datasheet's. Where the
+/// recording tells the viscous friction of an axis too, it is found with them; else the datasheet's is taken,
+/// and said.
 IdentificationResult identify(const RecordingSignals& signals, const MachineDescription& machine,
                               IdentificationFilter filter, const OnStage& on_stage);
 

@@ -16,7 +16,7 @@ std::string value_text(const ParameterResult& p) {
 std::string parameter_text(const ParameterResult& p) {
   const std::string datasheet =
       std::isfinite(p.datasheet) ? fmt::format("  datasheet {:11.5g}", p.datasheet) : std::string();
-  const std::string reason = p.reason.empty()     ? std::string()
+  const std::string reason = p.reason.empty()    ? std::string()
                              : p.is_identifiable ? fmt::format("; {}", p.reason)
                                                  : fmt::format("  not identifiable: {}", p.reason);
   return fmt::format("  {:26}{}{}{}\n", p.name, datasheet, value_text(p), reason);
@@ -25,14 +25,16 @@ std::string parameter_text(const ParameterResult& p) {
 }  // namespace
 
 std::string identification_text(const IdentificationResult& r) {
-  std::string text = fmt::format("recording   {} rows at {:g} Hz, {:.3f} s, {} missing\nmachine     {}\nparameters\n",
-                                 r.rows, r.rate_hz, r.duration_s, r.missing_rows, r.machine);
+  std::string text =
+      fmt::format("recording   {} rows at {:g} Hz, {:.3f} s, {} missing\nmachine     {}\nparameters\n",
+                  r.rows, r.rate_hz, r.duration_s, r.missing_rows, r.machine);
   for (const ParameterResult& p : r.parameters) text += parameter_text(p);
   if (!r.axes.empty()) text += "fit\n";
   for (const AxisFitFigures& a : r.axes)
-    text += fmt::format("  {:8}  innovations {:.3f} of the sensors' noise, correlation {:.2f}, {} passes\n", a.axis,
-                        std::sqrt(a.innovation_ratio), a.correlation, a.passes);
-  return text + fmt::format("excitation  {}\n", r.is_sufficient ? "sufficient" : "not sufficient: " + r.advice);
+    text += fmt::format("  {:8}  innovations {:.3f} of the sensors' noise, correlation {:.2f}, {} passes\n",
+                        a.axis, std::sqrt(a.innovation_ratio), a.correlation, a.passes);
+  return text +
+         fmt::format("excitation  {}\n", r.is_sufficient ? "sufficient" : "not sufficient: " + r.advice);
 }
 
 }  // namespace morepro::host

@@ -9,8 +9,8 @@
 
 namespace morepro::host {
 
-/// The values of a machine that a recording may tell: the seven of Parameter, in its order, and the viscous friction of
-/// each axis.
+/// The values of a machine that a recording may tell: the seven of Parameter, in its order, and the viscous
+/// friction of each axis.
 enum class MachineValue : std::uint8_t {
   kTorqueConstant = 0,
   kInertia,
@@ -29,7 +29,8 @@ constexpr std::size_t index_of(MachineValue value) { return static_cast<std::siz
 constexpr MachineValue value_of(Parameter parameter) { return static_cast<MachineValue>(parameter); }
 
 constexpr bool is_of_feed(MachineValue value) {
-  return value == MachineValue::kMass || value == MachineValue::kContactForce || value == MachineValue::kFeedFriction;
+  return value == MachineValue::kMass || value == MachineValue::kContactForce ||
+         value == MachineValue::kFeedFriction;
 }
 constexpr bool is_friction(MachineValue value) { return value >= MachineValue::kSpindleFriction; }
 

@@ -11,14 +11,15 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kSharp = 0.05;       // a relative standard error above says nothing to an engineer
+constexpr double kSharp = 0.05;        // a relative standard error above says nothing to an engineer
 constexpr double kLearnt = 1.0 / 3.0;  // of the datasheet's own standard error
-constexpr double kShown = 0.25;       // known too badly to be used, well enough to be shown
+constexpr double kShown = 0.25;        // known too badly to be used, well enough to be shown
 constexpr double kCorrelated = 0.9;
 constexpr double kColoured = 0.5;  // correlation of innovations of a model that does not fit
 
 constexpr const char* kWithOffset =
-    "only together with contact_offset_n, which is taken for the datasheet's; to tell them apart, record different "
+    "only together with contact_offset_n, which is taken for the datasheet's; to tell them apart, record "
+    "different "
     "engagements";
 
 bool is_of_voltage(MachineValue value) {
@@ -29,7 +30,8 @@ bool is_of_voltage(MachineValue value) {
 std::vector<Channel> needed(MachineValue value, IdentificationFilter filter) {
   const bool by_derivatives = filter == IdentificationFilter::kDerivatives;
   std::vector<Channel> channels{Channel::kArmatureVoltage, Channel::kSpindleSpeed, Channel::kArmatureCurrent};
-  if (by_derivatives) channels = {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kSpindleAcceleration};
+  if (by_derivatives)
+    channels = {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kSpindleAcceleration};
   if (is_of_feed(value)) channels = {Channel::kFeedForce};
   if (is_of_feed(value) && by_derivatives) channels.push_back(Channel::kFeedAcceleration);
   if (value == MachineValue::kContactForce) channels.push_back(Channel::kContact);
@@ -73,7 +75,8 @@ std::string reason_for(const AxisEstimate& e, std::size_t index) {
   const double deviation = deviation_of(e, index);
   if (partner != index)
     return fmt::format("only a combination with {} is told; it needs {}", name_of(e.names[partner]), advice);
-  if (deviation > kSharp && deviation < kShown) return fmt::format("known to {:.0f} % only; it needs {}", 100.0 * deviation, advice);
+  if (deviation > kSharp && deviation < kShown)
+    return fmt::format("known to {:.0f} % only; it needs {}", 100.0 * deviation, advice);
   return fmt::format("the recording does not excite it; it needs {}", advice);
 }
 
@@ -106,7 +109,8 @@ const char* excitation_for(MachineValue value) {
 std::string obstacle_to(MachineValue value, IdentificationFilter filter, const RecordingSignals& signals,
                         const MachineDescription& machine) {
   const bool is_described = !is_of_feed(value) ? machine.has_spindle : machine.has_feed;
-  if (!is_described) return fmt::format("the machine file describes no {}", !is_of_feed(value) ? "[spindle]" : "[feed]");
+  if (!is_described)
+    return fmt::format("the machine file describes no {}", !is_of_feed(value) ? "[spindle]" : "[feed]");
   if (!(value_in(machine.configuration.machine, value) > 0.0))
     return fmt::format("{} is 0 in the machine file; give it a value to start from", name_of(value));
   if (filter == IdentificationFilter::kDerivatives && is_of_voltage(value))
@@ -141,9 +145,9 @@ ParameterResult answered(const AxisEstimate& e, std::size_t index, const Machine
   const double deviation = deviation_of(e, index);
   ParameterResult result = unanswered(value, machine, "");
   result.is_identifiable = is_told(e, index);
-  result.reason = !result.is_identifiable                 ? reason_for(e, index)
+  result.reason = !result.is_identifiable                ? reason_for(e, index)
                   : value == MachineValue::kContactForce ? kWithOffset
-                                                          : "";
+                                                         : "";
   if (result.is_identifiable || (fits(e) && deviation < kShown)) {
     result.refit = e.value[index];
     result.standard_error = e.value[index] * deviation;

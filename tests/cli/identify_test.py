@@ -13,7 +13,7 @@ TRUE = {"torque_constant_nm_a": 0.08, "inertia_kgm2": 1.2e-4, "mass_kg": 3.0, "c
         "viscous_friction_nms_rad": 1e-4, "viscous_friction_ns_m": 200.0}
 SPINDLE = ("armature_voltage_v", "spindle_speed_rad_s", "armature_current_a", "contact", "chip_load_mm",
            "tool_temperature_degc")
-FEED = ("feed_force_n", "feed_speed_m_s", "contact")
+FEED = ("feed_force_n", "feed_speed_m_s", "contact", "engagement")
 
 
 class Identify(ProgramTest):

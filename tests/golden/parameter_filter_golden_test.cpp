@@ -42,9 +42,9 @@ DerivativeInput<Real> input_of(const json& step) {
   const auto x = [&](std::size_t k) { return static_cast<Real>(step["x"][k].get<double>()); };
   const auto u = [&](std::size_t k) { return static_cast<Real>(step["u"][k].get<double>()); };
   const ContactLaw<Real> law(machine);
-  const Real torque = law(x(0), static_cast<Real>(machine.tool.chip_load_mm),
-                          static_cast<Real>(machine.thermal.tool_degc))
-                          .torque_nm;
+  const Real torque =
+      law(x(0), static_cast<Real>(machine.tool.chip_load_mm), static_cast<Real>(machine.thermal.tool_degc))
+          .torque_nm;
   return {x(0), x(1), x(2), u(0), u(1), u(2), static_cast<Real>(machine.feed.engagement), u(2) * torque};
 }
 
@@ -84,10 +84,12 @@ Posterior<Real> posterior_of(const json& step) {
   const auto prior = result.theta;
   const auto rows = rows_of<Real>(step);
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const auto update = result.covariance.update(rows[r].slope, static_cast<Real>(step["R"][4 * r].get<double>()));
+    const auto update =
+        result.covariance.update(rows[r].slope, static_cast<Real>(step["R"][4 * r].get<double>()));
     Real innovation = static_cast<Real>(step["y"][r].get<double>()) - rows[r].derivative;
-    for (std::size_t j = 0; j < kParameterCount; ++j) innovation -= rows[r].slope[j] * (result.theta[j] - prior[j]);
-    for (std::size_t j = 0; j < kParameterCount; ++j) 
+    for (std::size_t j = 0; j < kParameterCount; ++j)
+      innovation -= rows[r].slope[j] * (result.theta[j] - prior[j]);
+    for (std::size_t j = 0; j < kParameterCount; ++j)
       result.theta[j] += update.direction[j] * (innovation * update.inverse_variance);
   }
   return result;
@@ -113,7 +115,8 @@ void expect_posterior(const json& step, double tolerance) {
   for (std::size_t i = 0; i < kParameterCount; ++i) {
     EXPECT_NEAR(double(result.theta[i]), theta[i], tolerance * std::abs(theta[i])) << i;
     for (std::size_t j = 0; j < kParameterCount; ++j)
-      EXPECT_NEAR(double(result.covariance.covariance(i, j)), p[i][j], tolerance * std::sqrt(p[i][i] * p[j][j]))
+      EXPECT_NEAR(double(result.covariance.covariance(i, j)), p[i][j],
+                  tolerance * std::sqrt(p[i][i] * p[j][j]))
           << i << " " << j;
   }
 }
@@ -135,9 +138,9 @@ TEST(ParameterFilterGolden, StepsMatchInDouble) {
   for_every_step([](const json& step) { expect_posterior<double>(step, 1.0e-10); });
 }
 
-// In float a balance is a difference of terms up to thirty times its result, each rounded to 6e-8: an innovation is
-// right to some 1e-6 of the largest term, and the parameters and P of a 7x7 prior whose correlations amplify it by ten
-// to 2e-5.
+// In float a balance is a difference of terms up to thirty times its result, each rounded to 6e-8: an
+// innovation is right to some 1e-6 of the largest term, and the parameters and P of a 7x7 prior whose
+// correlations amplify it by ten to 2e-5.
 TEST(ParameterFilterGolden, StepsMatchInFloat) {
   for_every_step([](const json& step) { expect_posterior<float>(step, 2.0e-5); });
 }

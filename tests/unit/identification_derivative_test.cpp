@@ -57,8 +57,8 @@ Rows rows_of(const MachineParameters& machine, const DerivativeInput<double>& u)
   return rows;
 }
 
-// 1e-7 of the largest change that any parameter makes: the differences' own error is 1e-10 (third order in a step of 1e-5)
-// plus 1e-16/1e-5 of rounding.
+// 1e-7 of the largest change that any parameter makes: the differences' own error is 1e-10 (third order in a
+// step of 1e-5) plus 1e-16/1e-5 of rounding.
 TEST(DerivativeRows, MatchCentralDifferences) {
   std::mt19937_64 random(1);
   for (const MachineParameters& machine : {thesis_machine(), reference_machine()}) {
@@ -101,8 +101,10 @@ TEST(DerivativeRows, AreThoseOfThePlant) {
     const PlantState<double> x{u.speed_rad_s, u.feed_speed_m_s, u.current_a};
     const auto expected = plant.derivative(x, input);
     const auto found = derivatives(machine, u);
-    EXPECT_NEAR(found[0], expected.acceleration_rad_s2, 1.0e-9 * (1.0 + std::abs(expected.acceleration_rad_s2)));
-    EXPECT_NEAR(found[1], expected.feed_acceleration_m_s2, 1.0e-12 * (1.0 + std::abs(expected.feed_acceleration_m_s2)));
+    EXPECT_NEAR(found[0], expected.acceleration_rad_s2,
+                1.0e-9 * (1.0 + std::abs(expected.acceleration_rad_s2)));
+    EXPECT_NEAR(found[1], expected.feed_acceleration_m_s2,
+                1.0e-12 * (1.0 + std::abs(expected.feed_acceleration_m_s2)));
     EXPECT_NEAR(found[2], expected.current_rate_a_s, 1.0e-9 * (1.0 + std::abs(expected.current_rate_a_s)));
     EXPECT_LE((rows_of(machine, u) - Rows(plant.parameter_jacobian(x, input))).cwiseAbs().maxCoeff(),
               1.0e-12 * plant.parameter_jacobian(x, input).cwiseAbs().maxCoeff());
@@ -117,7 +119,8 @@ TEST(UdBlock, UpdatesAsTheDenseFilter) {
     for (double& x : root.reshaped()) x = normal(random);
     Eigen::Matrix3d p = root * root.transpose() + 0.1 * Eigen::Matrix3d::Identity();
     UdBlock<double, 3>::Matrix rows{};
-    for (int i = 0; i < 9; ++i) rows[static_cast<std::size_t>(i / 3)][static_cast<std::size_t>(i % 3)] = p(i / 3, i % 3);
+    for (int i = 0; i < 9; ++i)
+      rows[static_cast<std::size_t>(i / 3)][static_cast<std::size_t>(i % 3)] = p(i / 3, i % 3);
     auto ud = UdBlock<double, 3>::of(rows);
     const Eigen::Vector3d h(normal(random), normal(random), normal(random));
     ud.add_variance(1, 0.3);
@@ -150,7 +153,8 @@ class MeasuredMachine {
     for (int k = 0; k < 20000; ++k) move();
   }
 
-  /// Voltage with a 1 ms and a 20 ms random part, feed force with a 30 ms one, contact on and off every 100 ms.
+  /// Voltage with a 1 ms and a 20 ms random part, feed force with a 30 ms one, contact on and off every 100
+  /// ms.
   void excite(int k) {
     const auto sign = [&] { return (random_() & 1U) != 0 ? 1.0 : -1.0; };
     if (k % 10 == 0) fast_ = 6.0 * sign();
@@ -165,13 +169,17 @@ class MeasuredMachine {
     const auto rate = plant_.derivative(x_, input_);
     const double torque =
         input_.contact * plant_.contact_law()(x_.speed_rad_s, input_.chip_load_mm, 500.0).torque_nm;
-    const auto noisy = [&](double value, double noise) { return static_cast<Real>(value + noise * normal_(random_)); };
-    const Real acceleration_noise = is_thesis_ ? Real(1000) : Real(200), rate_noise = is_thesis_ ? Real(20000) : Real(2000);
-    filter.step({noisy(x_.speed_rad_s, speed_noise_), noisy(x_.feed_speed_m_s, 0.002), noisy(x_.current_a, current_noise_),
-                 Real(input_.armature_voltage_v), Real(input_.feed_force_n), Real(input_.contact), Real(1), Real(torque)},
-                {noisy(rate.acceleration_rad_s2, double(acceleration_noise)), noisy(rate.feed_acceleration_m_s2, 0.3),
-                 noisy(rate.current_rate_a_s, double(rate_noise)), acceleration_noise * acceleration_noise, Real(0.09),
-                 rate_noise * rate_noise});
+    const auto noisy = [&](double value, double noise) {
+      return static_cast<Real>(value + noise * normal_(random_));
+    };
+    const Real acceleration_noise = is_thesis_ ? Real(1000) : Real(200),
+               rate_noise = is_thesis_ ? Real(20000) : Real(2000);
+    filter.step({noisy(x_.speed_rad_s, speed_noise_), noisy(x_.feed_speed_m_s, 0.002),
+                 noisy(x_.current_a, current_noise_), Real(input_.armature_voltage_v),
+                 Real(input_.feed_force_n), Real(input_.contact), Real(1), Real(torque)},
+                {noisy(rate.acceleration_rad_s2, double(acceleration_noise)),
+                 noisy(rate.feed_acceleration_m_s2, 0.3), noisy(rate.current_rate_a_s, double(rate_noise)),
+                 acceleration_noise * acceleration_noise, Real(0.09), rate_noise * rate_noise});
   }
 
   void move() {
@@ -235,14 +243,15 @@ TEST(DerivativeIdentification, FindsAllSevenParameters) {
 // The thesis's own excitation: everything is constant.
 TEST(DerivativeIdentification, ConstantInputsTellCombinationsOnlyAndNothingDrifts) {
   MeasuredMachine<float> machine(true, 6);
-  auto found = std::make_unique<DerivativeIdentification<float>>(wrong_by(machine.machine(), 1.3), machine.noise(), 0.3F,
-                                                                 2.0e-5F);
+  auto found = std::make_unique<DerivativeIdentification<float>>(wrong_by(machine.machine(), 1.3),
+                                                                 machine.noise(), 0.3F, 2.0e-5F);
   const auto run = [&](int frames) {
     for (int k = 0; k < frames; ++k) machine.show(*found);
   };
   run(100000);
   Theta before{};
-  for (std::size_t j = 0; j < kParameterCount; ++j) before[j] = double(found->filter().value(static_cast<Parameter>(j)));
+  for (std::size_t j = 0; j < kParameterCount; ++j)
+    before[j] = double(found->filter().value(static_cast<Parameter>(j)));
   EXPECT_NEAR(before[index_of(Parameter::kTorqueConstant)], 1.5, 0.015);
   EXPECT_EQ(found->information(Parameter::kTorqueConstant), Information::kAlone);
   EXPECT_EQ(found->information(Parameter::kInertia), Information::kNone);
