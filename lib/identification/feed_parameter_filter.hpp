@@ -65,11 +65,7 @@ class FeedParameterFilter {
   }
 
   /// As SpindleParameterFilter::hold.
-  void hold(bool is_still)
-    requires Mode::kIsAnchored
-  {
-    deviation_.is_still = is_still;
-  }
+  void hold(bool is_still) requires Mode::kIsAnchored { deviation_.is_still = is_still; }
 
   /// Over the period that ended with the present frame; second order in the period, exact without friction.
   void predict(const FeedInput<Real>& input, Real speed_variance) {
@@ -144,11 +140,7 @@ class FeedParameterFilter {
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
   static constexpr double kKnown = 1.0 / 36.0;
 
-  Real& v_regressor()
-    requires Mode::kIsAnchored
-  {
-    return deviation_.held;
-  }
+  Real& v_regressor() requires Mode::kIsAnchored { return deviation_.held; }
 
   static constexpr std::size_t index_of(FeedParameter parameter) {
     return static_cast<std::size_t>(parameter);

@@ -28,8 +28,8 @@ inline constexpr std::size_t kSpindleParameterCount = 5;  ///< on line
 ///
 /// Safe-guards against false certainty: the second-order error of a change in one period is added to the
 /// process noise, and a machine that rests teaches nothing (see RestDetector): then the parameters are
-/// frozen. Bounded time; may run in an interrupt. `Mode`: see learning_mode.hpp; in Anchored none of these guards is
-/// needed, and the variances given to `predict` are those of the process noise themselves.
+/// frozen. Bounded time; may run in an interrupt. `Mode`: see learning_mode.hpp; in Anchored none of these
+/// guards is needed, and the variances given to `predict` are those of the process noise themselves.
 template <class Real, class Mode = OnLine>
 class SpindleParameterFilter {
  public:
@@ -85,19 +85,16 @@ class SpindleParameterFilter {
     state_variance_ = {y.speed_variance, y.current_variance};
   }
 
-  /// Anchored: nothing moves from now on, or it does. The noise of the first estimates of a state would turn the line on
-  /// which resistance and back-EMF constant lie, so slopes are held at rest, and nothing changes.
-  void hold(bool is_still)
-    requires Mode::kIsAnchored
-  {
-    deviation_.is_still = is_still;
-  }
+  /// Anchored: nothing moves from now on, or it does. The noise of the first estimates of a state would turn
+  /// the line on which resistance and back-EMF constant lie, so slopes are held at rest, and nothing changes.
+  void hold(bool is_still) requires Mode::kIsAnchored { deviation_.is_still = is_still; }
 
   /// Over the period that ended with the present frame, with the chip load that is being cut (not used in the
   /// air).
   void predict(const SpindleInput<Real>& input, Real chip_load_mm, Real speed_variance,
                Real current_variance) {
-    const Real kt = value_[0], inertia = value_[1], inductance = value_[2], resistance = value_[3], kv = value_[4];
+    const Real kt = value_[0], inertia = value_[1], inductance = value_[2], resistance = value_[3],
+               kv = value_[4];
     const Real per_inertia = Real(1) / inertia, per_inductance = Real(1) / inductance;
     const auto contact = input.contact > Real(0)
                              ? law_.at_thermal_factor(w_, chip_load_mm, input.thermal_factor)
@@ -116,7 +113,7 @@ class SpindleParameterFilter {
       r = regressors(dw, di, w_change, i_change, f);
     Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
     Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
-                              -kv * r.w * per_inductance};
+                        -kv * r.w * per_inductance};
     if constexpr (Mode::kFindsFriction) {
       from_speed[kFriction] = -viscous_friction_ * r.w * per_inertia;
       from_current[kFriction] = Real(0);
@@ -236,9 +233,9 @@ class SpindleParameterFilter {
     return {w_regressor_, i_regressor_, speed_moves ? dw : Real(0), current_moves ? di : Real(0)};
   }
 
-  /// Anchored: of a reference that follows the machine a hundred times slower than the estimate does, so that next to no
-  /// noise is in it. Means over the period, which may be as long as L/R. At rest speed and current are held, and
-  /// nothing changes.
+  /// Anchored: of a reference that follows the machine a hundred times slower than the estimate does, so that
+  /// next to no noise is in it. Means over the period, which may be as long as L/R. At rest speed and current
+  /// are held, and nothing changes.
   Regressors mean_regressors(Real dw, Real di, const Matrix& a, const Matrix& phi) {
     auto& reference = deviation_.reference;
     const Real w_off = reference[0] - w_, i_off = reference[1] - i_;
