@@ -16,6 +16,11 @@ namespace morepro {
 template <class Real>
 class RestDetector {
  public:
+  /// Moves until it is seen to rest.
+  RestDetector() = default;
+  /// Rests at a value until it is seen to move.
+  explicit RestDetector(Real resting_at) : last_(resting_at), mean_(resting_at), frames_inside_(kMemory) {}
+
   /// One frame: the value and the standard deviation of its sensor, > 0.
   void step(Real value, Real standard_deviation) {
     follow_median_step(math::abs(value - last_), standard_deviation);

@@ -5,21 +5,27 @@
 
 #include "lib/estimation/feed_filter.hpp"
 #include "lib/estimation/ud_covariance.hpp"
+#include "lib/identification/learning_mode.hpp"
 #include "lib/identification/retraction.hpp"
 
 namespace morepro {
 
 /// Order of the feed axis's parameters in its filter.
-enum class FeedParameter : std::uint8_t { kMass, kContactForce };
-inline constexpr std::size_t kFeedParameterCount = 2;
+enum class FeedParameter : std::uint8_t {
+  kMass,
+  kContactForce,
+  kViscousFriction,  ///< where the mode finds it
+};
+inline constexpr std::size_t kFeedParameterCount = 2;  ///< on line
 
 /// Extended Kalman filter over [position, speed] of the feed axis and the logarithms of its mass and contact
 /// force. Works from a measured speed, a measured position or both. Process noise and UD form as in
-/// SpindleParameterFilter. Bounded time; may run in an interrupt.
-template <class Real>
+/// SpindleParameterFilter. Bounded time; may run in an interrupt. `Mode`: see learning_mode.hpp.
+template <class Real, class Mode = OnLine>
 class FeedParameterFilter {
  public:
-  using Values = std::array<Real, kFeedParameterCount>;
+  static constexpr std::size_t kCount = kFeedParameterCount + (Mode::kFindsFriction ? 1 : 0);
+  using Values = std::array<Real, kCount>;
 
   FeedParameterFilter(const MachineParameters& machine, Real period_s, Real start_fraction,
                       Real drift_fraction)
@@ -29,13 +35,24 @@ class FeedParameterFilter {
         start_variance_(start_fraction * start_fraction),
         drift_variance_(drift_fraction * drift_fraction),
         datasheet_{static_cast<Real>(machine.feed.mass_kg), static_cast<Real>(machine.feed.contact_force_n)} {
+    if constexpr (Mode::kFindsFriction) datasheet_[kFriction] = viscous_friction_;
     forget();
   }
 
   /// Back to the datasheet.
   void forget() {
-    value_ = datasheet_;
-    covariance_ = Covariance({Real(1), Real(1), start_variance_, start_variance_});
+    anchor_at(datasheet_);
+    typename Covariance::Vector start;
+    start.fill(start_variance_);
+    start[0] = start[1] = Real(1);
+    covariance_ = Covariance(start);
+  }
+
+  /// As SpindleParameterFilter::anchor_at. A contact force of 0 in the datasheet is no parameter.
+  void anchor_at(const Values& values) {
+    value_ = values;
+    if constexpr (Mode::kFindsFriction) viscous_friction_ = values[kFriction];
+    if constexpr (Mode::kIsAnchored) deviation_.value.fill(Real(0));
   }
 
   /// Position and speed start from the measurement; what is known of the parameters stays.
@@ -44,11 +61,15 @@ class FeedParameterFilter {
     v_ = y.has_speed() ? y.speed_m_s : Real(0);
     covariance_.restart(0, y.has_position() ? y.position_variance : Real(1));
     covariance_.restart(1, y.has_speed() ? y.speed_variance : Real(1));
+    if constexpr (Mode::kIsAnchored) v_regressor() = v_;
   }
+
+  /// As SpindleParameterFilter::hold.
+  void hold(bool is_still) requires Mode::kIsAnchored { deviation_.is_still = is_still; }
 
   /// Over the period that ended with the present frame; second order in the period, exact without friction.
   void predict(const FeedInput<Real>& input, Real speed_variance) {
-    const auto [mass, contact_force] = value_;
+    const Real mass = value_[0], contact_force = value_[1];
     const Real h = period_s_, per_mass = Real(1) / mass;
     const Real pushed = input.contact * input.engagement * contact_force;
     const Real force = input.force_n - viscous_friction_ * v_ - pushed - input.contact * contact_offset_;
@@ -57,13 +78,28 @@ class FeedParameterFilter {
     const Real acceleration = force * per_mass;
     const Real half = Real(0.5) * h;
     const Real from_contact = -pushed * per_mass;
+    Values slope{-acceleration, from_contact};
+    if constexpr (Mode::kIsAnchored) {
+      if (!deviation_.is_still) v_regressor() = v_;
+      slope[0] -= viscous_friction_ * (v_ - v_regressor()) * per_mass;
+    }
+    if constexpr (Mode::kFindsFriction) slope[kFriction] = -viscous_friction_ * v_regressor() * per_mass;
+    std::array<Values, 2> g;
+    for (std::size_t j = 0; j < kCount; ++j) {
+      g[0][j] = slope[j] * half * h;
+      g[1][j] = slope[j] * per_acceleration;
+    }
     covariance_.predict(
-        {{{Real(1), h - half * decay}, {Real(0), Real(1) - decay + Real(0.5) * decay * decay}}},
-        {{{-acceleration * half * h, from_contact * half * h},
-          {-acceleration * per_acceleration, from_contact * per_acceleration}}},
+        {{{Real(1), h - half * decay}, {Real(0), Real(1) - decay + Real(0.5) * decay * decay}}}, g,
         {speed_variance * h * h, speed_variance});
     x_ += h * (v_ + half * acceleration);
     v_ += acceleration * per_acceleration;
+    if constexpr (Mode::kIsAnchored) {
+      for (std::size_t j = 0; j < kCount; ++j) {
+        x_ += g[0][j] * deviation_.value[j];
+        v_ += g[1][j] * deviation_.value[j];
+      }
+    }
   }
 
   /// As SpindleParameterFilter::drift.
@@ -81,18 +117,30 @@ class FeedParameterFilter {
     return nis;
   }
 
-  [[nodiscard]] Real value(FeedParameter parameter) const { return value_[index_of(parameter)]; }
+  [[nodiscard]] Real value(FeedParameter parameter) const {
+    const std::size_t j = index_of(parameter);
+    if constexpr (Mode::kIsAnchored)
+      return moved(value_[j], deviation_.value[j], datasheet_[j]);
+    else
+      return value_[j];
+  }
   /// Relative variance of one parameter, and relative covariance of two.
   [[nodiscard]] Real covariance(FeedParameter a, FeedParameter b) const {
     return covariance_.covariance(index_of(a) + 2, index_of(b) + 2);
   }
   [[nodiscard]] Real start_variance() const { return start_variance_; }
+  /// Of the last update; empty in OnLine.
+  [[nodiscard]] const typename Mode::template Record<Real>& record() const { return record_; }
 
  private:
-  using Covariance = UdCovariance<Real, 2 + kFeedParameterCount>;
+  using Covariance = UdCovariance<Real, 2 + kCount>;
+
+  static constexpr std::size_t kFriction = kFeedParameterCount;
 
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
   static constexpr double kKnown = 1.0 / 36.0;
+
+  Real& v_regressor() requires Mode::kIsAnchored { return deviation_.held; }
 
   static constexpr std::size_t index_of(FeedParameter parameter) {
     return static_cast<std::size_t>(parameter);
@@ -101,10 +149,15 @@ class FeedParameterFilter {
   template <std::size_t kElement>
   Real update_one(Real innovation, Real variance) {
     const auto update = covariance_.template update<kElement>(variance);
+    record_.take(kElement, innovation, update.innovation_variance);
     x_ += update.gain[0] * innovation;
     v_ += update.gain[1] * innovation;
-    for (std::size_t j = 0; j < kFeedParameterCount; ++j)
-      value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
+    for (std::size_t j = 0; j < kCount; ++j) {
+      if constexpr (Mode::kIsAnchored)
+        deviation_.value[j] += update.gain[2 + j] * innovation;
+      else
+        value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
+    }
     return innovation * innovation / update.innovation_variance;
   }
 
@@ -117,6 +170,8 @@ class FeedParameterFilter {
   Values value_{};
   Real x_{}, v_{};
   Covariance covariance_{{}};
+  [[no_unique_address]] typename Mode::template Record<Real> record_{};
+  [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};
 };
 
 }  // namespace morepro

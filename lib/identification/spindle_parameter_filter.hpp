@@ -4,6 +4,7 @@
 
 #include "lib/estimation/spindle_signals.hpp"
 #include "lib/estimation/ud_covariance.hpp"
+#include "lib/identification/learning_mode.hpp"
 #include "lib/identification/retraction.hpp"
 #include "lib/math/matrix_exponential.hpp"
 #include "lib/plant/contact_law.hpp"
@@ -16,9 +17,10 @@ enum class SpindleParameter : std::uint8_t {
   kInertia,
   kInductance,
   kResistance,
-  kBackEmfConstant
+  kBackEmfConstant,
+  kViscousFriction,  ///< where the mode finds it
 };
-inline constexpr std::size_t kSpindleParameterCount = 5;
+inline constexpr std::size_t kSpindleParameterCount = 5;  ///< on line
 
 /// Extended Kalman filter over [w, i] and the logarithms of five spindle parameters: identification from
 /// measured speed and current, without their derivatives. UD-factored, because recordings lose their
@@ -26,11 +28,13 @@ inline constexpr std::size_t kSpindleParameterCount = 5;
 ///
 /// Safe-guards against false certainty: the second-order error of a change in one period is added to the
 /// process noise, and a machine that rests teaches nothing (see RestDetector): then the parameters are
-/// frozen. Bounded time; may run in an interrupt.
-template <class Real>
+/// frozen. Bounded time; may run in an interrupt. `Mode`: see learning_mode.hpp; in Anchored none of these
+/// guards is needed, and the variances given to `predict` are those of the process noise themselves.
+template <class Real, class Mode = OnLine>
 class SpindleParameterFilter {
  public:
-  using Values = std::array<Real, kSpindleParameterCount>;
+  static constexpr std::size_t kCount = kSpindleParameterCount + (Mode::kFindsFriction ? 1 : 0);
+  using Values = std::array<Real, kCount>;
 
   /// `start_fraction`: standard deviation of the datasheet's values, relative, > 0. `drift_fraction`:
   /// standard deviation per step of their random walk, relative, >= 0.
@@ -46,15 +50,25 @@ class SpindleParameterFilter {
                    static_cast<Real>(machine.spindle.inductance_h),
                    static_cast<Real>(machine.spindle.resistance_ohm),
                    static_cast<Real>(machine.spindle.back_emf_constant_vs_rad)} {
+    if constexpr (Mode::kFindsFriction) datasheet_[kFriction] = viscous_friction_;
     forget();
   }
 
   /// Back to the datasheet.
   void forget() {
-    value_ = datasheet_;
+    anchor_at(datasheet_);
     known_.fill(start_variance_);
-    covariance_ = Covariance({Real(1), Real(1), start_variance_, start_variance_, start_variance_,
-                              start_variance_, start_variance_});
+    typename Covariance::Vector start;
+    start.fill(start_variance_);
+    start[0] = start[1] = Real(1);
+    covariance_ = Covariance(start);
+  }
+
+  /// The values to linearise at: in Anchored throughout, else only the first estimate. All > 0.
+  void anchor_at(const Values& values) {
+    value_ = values;
+    if constexpr (Mode::kFindsFriction) viscous_friction_ = values[kFriction];
+    if constexpr (Mode::kIsAnchored) deviation_.value.fill(Real(0));
   }
 
   /// Speed and current start from the measurement; what is known of the parameters stays.
@@ -63,14 +77,24 @@ class SpindleParameterFilter {
     i_ = y.current_a;
     covariance_.restart(0, y.speed_variance);
     covariance_.restart(1, y.current_variance);
+    if constexpr (Mode::kIsAnchored) {
+      w_regressor_ = w_;
+      i_regressor_ = i_;
+      deviation_.reference = {w_, i_};
+    }
     state_variance_ = {y.speed_variance, y.current_variance};
   }
+
+  /// Anchored: nothing moves from now on, or it does. The noise of the first estimates of a state would turn
+  /// the line on which resistance and back-EMF constant lie, so slopes are held at rest, and nothing changes.
+  void hold(bool is_still) requires Mode::kIsAnchored { deviation_.is_still = is_still; }
 
   /// Over the period that ended with the present frame, with the chip load that is being cut (not used in the
   /// air).
   void predict(const SpindleInput<Real>& input, Real chip_load_mm, Real speed_variance,
                Real current_variance) {
-    const auto [kt, inertia, inductance, resistance, kv] = value_;
+    const Real kt = value_[0], inertia = value_[1], inductance = value_[2], resistance = value_[3],
+               kv = value_[4];
     const Real per_inertia = Real(1) / inertia, per_inductance = Real(1) / inductance;
     const auto contact = input.contact > Real(0)
                              ? law_.at_thermal_factor(w_, chip_load_mm, input.thermal_factor)
@@ -81,26 +105,36 @@ class SpindleParameterFilter {
                    -kv * per_inductance, -resistance * per_inductance};
     const Matrix phi = held_response(a);
     const Matrix f = (a * phi).plus_identity();
-    const Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
-    const Real w_variance = state_variance_[0], i_variance = state_variance_[1];
-    w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
-    i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
-    const bool speed_moves = moves(w_change, f.a00 - Real(1), w_variance, f.a01, i_variance);
-    const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * i_variance;
-    const Values from_speed{kt * i_regressor_ * per_inertia, speed_moves ? -dw : Real(0), Real(0), Real(0),
-                            Real(0)};
-    const Values from_current{Real(0), Real(0), current_moves ? -di : Real(0),
-                              -resistance * i_regressor_ * per_inductance,
-                              -kv * w_regressor_ * per_inductance};
+    Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
+    Regressors r;
+    if constexpr (Mode::kIsAnchored)
+      r = mean_regressors(dw, di, a, phi);
+    else
+      r = regressors(dw, di, w_change, i_change, f);
+    Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
+    Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
+                        -kv * r.w * per_inductance};
+    if constexpr (Mode::kFindsFriction) {
+      from_speed[kFriction] = -viscous_friction_ * r.w * per_inertia;
+      from_current[kFriction] = Real(0);
+    }
     std::array<Values, 2> g;
-    for (std::size_t j = 0; j < kSpindleParameterCount; ++j) {
+    for (std::size_t j = 0; j < kCount; ++j) {
       g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
       g[1][j] = phi.a10 * from_speed[j] + phi.a11 * from_current[j];
     }
-    covariance_.predict(
-        {{{f.a00, f.a01}, {f.a10, f.a11}}}, g,
-        {Real(kProcessShare) * speed_variance + curvature(w_change, known_[0] + known_[1]),
-         Real(kProcessShare) * current_variance + curvature(i_change, known_[2] + known_[3] + known_[4])});
+    if constexpr (Mode::kIsAnchored) {
+      for (std::size_t j = 0; j < kCount; ++j) {
+        w_change += g[0][j] * deviation_.value[j];
+        i_change += g[1][j] * deviation_.value[j];
+      }
+      covariance_.predict({{{f.a00, f.a01}, {f.a10, f.a11}}}, g, {speed_variance, current_variance});
+    } else {
+      covariance_.predict(
+          {{{f.a00, f.a01}, {f.a10, f.a11}}}, g,
+          {Real(kProcessShare) * speed_variance + curvature(w_change, known_[0] + known_[1]),
+           Real(kProcessShare) * current_variance + curvature(i_change, known_[2] + known_[3] + known_[4])});
+    }
     w_ += w_change;
     i_ += i_change;
   }
@@ -117,25 +151,44 @@ class SpindleParameterFilter {
 
   /// Uses the measurements; returns the normalised innovation squared.
   Real update(const SpindleMeasurement<Real>& y) {
+    if constexpr (Mode::kIsAnchored) {
+      auto& reference = deviation_.reference;
+      if (y.has_speed()) reference[0] += Real(kReferenceGain) * (y.speed_rad_s - reference[0]);
+      if (y.has_current()) reference[1] += Real(kReferenceGain) * (y.current_a - reference[1]);
+    }
     Values step{};
     Real nis{};
     if (y.has_speed()) nis += update_one<0>(y.speed_rad_s - w_, y.speed_variance, step);
     if (y.has_current()) nis += update_one<1>(y.current_a - i_, y.current_variance, step);
-    for (std::size_t j = 0; j < kSpindleParameterCount; ++j)
-      value_[j] = moved(value_[j], step[j], datasheet_[j]);
+    for (std::size_t j = 0; j < kCount; ++j) {
+      if constexpr (Mode::kIsAnchored)
+        deviation_.value[j] += step[j];
+      else
+        value_[j] = moved(value_[j], step[j], datasheet_[j]);
+    }
     return nis;
   }
 
-  [[nodiscard]] Real value(SpindleParameter parameter) const { return value_[index_of(parameter)]; }
+  [[nodiscard]] Real value(SpindleParameter parameter) const {
+    const std::size_t j = index_of(parameter);
+    if constexpr (Mode::kIsAnchored)
+      return moved(value_[j], deviation_.value[j], datasheet_[j]);
+    else
+      return value_[j];
+  }
   /// Relative variance of one parameter, and relative covariance of two.
   [[nodiscard]] Real covariance(SpindleParameter a, SpindleParameter b) const {
     return covariance_.covariance(index_of(a) + 2, index_of(b) + 2);
   }
   [[nodiscard]] Real start_variance() const { return start_variance_; }
+  /// Of the last update; empty in OnLine.
+  [[nodiscard]] const typename Mode::template Record<Real>& record() const { return record_; }
 
  private:
   using Matrix = math::BasicMatrix2<Real>;
-  using Covariance = UdCovariance<Real, 2 + kSpindleParameterCount>;
+  using Covariance = UdCovariance<Real, 2 + kCount>;
+
+  static constexpr std::size_t kFriction = kSpindleParameterCount;
 
   /// Process noise of w and i per step, as a share of one measurement's variance.
   static constexpr double kProcessShare = 0.01;
@@ -144,6 +197,9 @@ class SpindleParameterFilter {
   /// estimate for the inductance, of what the state's noise does to the predicted change for the inertia: a
   /// regressor that is nothing but noise pumps its parameter in one direction, and claims to know it.
   static constexpr double kMoves = 10.0;
+
+  /// Of what a measurement is away from the reference, per frame.
+  static constexpr double kReferenceGain = 1.0 / 256.0;
 
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
   static constexpr double kKnown = 1.0 / 36.0;
@@ -155,11 +211,44 @@ class SpindleParameterFilter {
   /// Integral of exp(A s) over one period, by its series to the fourth term: 4e-4 of the change in one period
   /// where the electrical time constant is two periods, less elsewhere. `Monitor` refuses slower sampling.
   Matrix held_response(const Matrix& a) const {
+    if constexpr (Mode::kIsAnchored) return math::exponential_step(a, period_s_).integral;
     const Matrix z = a * period_s_;
     Matrix series = (z * Real(0.25)).plus_identity();
     series = (z * series * Real(1.0 / 3.0)).plus_identity();
     series = (z * series * Real(0.5)).plus_identity();
     return series * period_s_;
+  }
+
+  /// What the slopes by the parameters are made of.
+  struct Regressors {
+    Real w, i, dw, di;
+  };
+  /// On line: at the beginning of the period, without what is nothing but noise.
+  Regressors regressors(Real dw, Real di, Real w_change, Real i_change, const Matrix& f) {
+    const Real w_variance = state_variance_[0], i_variance = state_variance_[1];
+    w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
+    i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
+    const bool speed_moves = moves(w_change, f.a00 - Real(1), w_variance, f.a01, i_variance);
+    const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * i_variance;
+    return {w_regressor_, i_regressor_, speed_moves ? dw : Real(0), current_moves ? di : Real(0)};
+  }
+
+  /// Anchored: of a reference that follows the machine a hundred times slower than the estimate does, so that
+  /// next to no noise is in it. Means over the period, which may be as long as L/R. At rest speed and current
+  /// are held, and nothing changes.
+  Regressors mean_regressors(Real dw, Real di, const Matrix& a, const Matrix& phi) {
+    auto& reference = deviation_.reference;
+    const Real w_off = reference[0] - w_, i_off = reference[1] - i_;
+    const Real w_rate = dw + a.a00 * w_off + a.a01 * i_off, i_rate = di + a.a10 * w_off + a.a11 * i_off;
+    const Real w_change = phi.a00 * w_rate + phi.a01 * i_rate, i_change = phi.a10 * w_rate + phi.a11 * i_rate;
+    const Real w_mean = reference[0] + Real(0.5) * w_change, i_mean = reference[1] + Real(0.5) * i_change;
+    reference[0] += w_change;
+    reference[1] += i_change;
+    if (deviation_.is_still) return {w_regressor_, i_regressor_, Real(0), Real(0)};
+    w_regressor_ = w_mean;
+    i_regressor_ = i_mean;
+    const Real per_period = Real(1) / period_s_;
+    return {w_mean, i_mean, w_change * per_period, i_change * per_period};
   }
 
   static bool moves(Real change, Real per_w, Real w_variance, Real per_i, Real i_variance) {
@@ -186,11 +275,12 @@ class SpindleParameterFilter {
   template <std::size_t kElement>
   Real update_one(Real innovation, Real variance, Values& step) {
     const auto update = covariance_.template update<kElement>(variance);
+    record_.take(kElement, innovation, update.innovation_variance);
     // P+ of the measured element is its gain times the measurement's variance.
     state_variance_[kElement] = update.gain[kElement] * variance;
     w_ += update.gain[0] * innovation;
     i_ += update.gain[1] * innovation;
-    for (std::size_t j = 0; j < kSpindleParameterCount; ++j) step[j] += update.gain[2 + j] * innovation;
+    for (std::size_t j = 0; j < kCount; ++j) step[j] += update.gain[2 + j] * innovation;
     return innovation * innovation / update.innovation_variance;
   }
 
@@ -206,6 +296,8 @@ class SpindleParameterFilter {
   Real w_regressor_{}, i_regressor_{};
   Values known_{};  ///< relative variance of each parameter, refreshed by its drift
   Covariance covariance_{{}};
+  [[no_unique_address]] typename Mode::template Record<Real> record_{};
+  [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};
 };
 
 }  // namespace morepro

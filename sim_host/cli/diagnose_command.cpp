@@ -42,17 +42,6 @@ std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
   return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
 }
 
-// Without a contact law a spindle in contact has a torque that nobody described.
-void check_contact(const RecordingSignals& signals, const MachineDescription& machine) {
-  if (!machine.has_spindle || machine.has_contact || !signals.has(Channel::kSpindleSpeed)) return;
-  for (const float contact : signals.value[index_of(Channel::kContact)]) {
-    if (!(contact > 0.0F)) continue;
-    throw UserError(fmt::format("the tool is in contact, but machine '{}' describes no contact; add [tool] and "
-                                "[contact] to its file",
-                                machine.name));
-  }
-}
-
 void run(const DiagnoseArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
                  {{"--json", arguments.json}, {"--apply", arguments.apply}});

@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", MOREPRO_VERSION);
   morepro::host::add_simulate(program);
   morepro::host::add_replay(program);
+  morepro::host::add_identify(program);
   morepro::host::add_convert(program);
   morepro::host::add_config(program);
   morepro::host::add_diagnose(program);

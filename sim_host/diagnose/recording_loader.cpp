@@ -83,4 +83,14 @@ RecordingSignals load_signals(RecordingReader& recording, std::uint16_t usable) 
   return Loader(recording, usable).load();
 }
 
+void check_contact(const RecordingSignals& signals, const MachineDescription& machine) {
+  if (!machine.has_spindle || machine.has_contact || !signals.has(Channel::kSpindleSpeed)) return;
+  for (const float contact : signals.value[index_of(Channel::kContact)]) {
+    if (!(contact > 0.0F)) continue;
+    throw UserError(fmt::format("the tool is in contact, but machine '{}' describes no contact; add [tool] and "
+                                "[contact] to its file",
+                                machine.name));
+  }
+}
+
 }  // namespace morepro::host

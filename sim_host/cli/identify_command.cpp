@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim_host/cli/command.hpp"
+#include "sim_host/diagnose/recording_loader.hpp"
+#include "sim_host/identify/identification.hpp"
+#include "sim_host/machine/machine_file_writer.hpp"
+#include "sim_host/replay/replay_session.hpp"
+#include "sim_host/support/distinct_files.hpp"
+#include "sim_host/support/output_file.hpp"
+#include "sim_host/support/progress.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr const char* kFooter =
+    "Spindle: armature_voltage_v, spindle_speed_rad_s, armature_current_a, and contact, chip_load_mm,\n"
+    "tool_temperature_degc where there is a cut. Feed axis: feed_force_n, feed_speed_m_s or "
+    "feed_position_m,\n"
+    "contact, engagement.\n\n"
+    "Example: morepro simulate --profile rich --duration 4 --datasheet-error 0.2 --machine-out "
+    "datasheet.toml \\\n"
+    "           --out run.csv\n"
+    "         morepro identify run.csv --machine datasheet.toml --apply identified.toml";
+
+struct IdentifyArguments {
+  std::string recording;
+  std::string machine;
+  std::string filter = "states";
+  std::string json;
+  std::string apply;
+  std::string progress = "auto";
+};
+
+std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+}
+
+/// What the answer rests on and nobody measured.
+void note_assumptions(const RecordingSignals& signals, const MachineDescription& machine) {
+  if (!machine.effects.empty())
+    warn(
+        "the [[effects]] of the machine file are not part of this model; 'morepro diagnose' refits with "
+        "them");
+  if (!signals.has(Channel::kContact)) {
+    if (machine.has_contact || machine.has_feed)
+      warn("contact is not recorded; the tool is taken to be in the air");
+    return;
+  }
+  if (machine.has_contact && signals.has(Channel::kSpindleSpeed) && !signals.has(Channel::kChipLoad))
+    warn("chip_load_mm is not recorded; the machine's nominal one is taken for the torque of the cut");
+  if (machine.has_feed && signals.has(Channel::kFeedForce) && !signals.has(Channel::kEngagement))
+    warn("engagement is not recorded; the machine's nominal one is taken for the force of the cut");
+}
+
+void run(const IdentifyArguments& arguments) {
+  check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
+                 {{"--json", arguments.json}, {"--apply", arguments.apply}});
+  RecordingReader recording(arguments.recording);
+  std::vector<std::string> notices = recording.info().warnings;
+  const MachineDescription machine = machine_for(recording, arguments.machine, notices);
+  for (const std::string& notice : notices) warn(notice);
+  const auto json = open_if_asked(arguments.json);
+  const auto applied = open_if_asked(arguments.apply);
+  const RecordingSignals signals = load_signals(recording, machine.usable_channels());
+  check_contact(signals, machine);
+  note_assumptions(signals, machine);
+  StageProgress progress("identify", arguments.progress != "off");
+  const auto filter =
+      arguments.filter == "states" ? IdentificationFilter::kStates : IdentificationFilter::kDerivatives;
+  int pass = 0;
+  IdentificationResult result = identify(signals, machine, filter, [&](const std::string& stage) {
+    progress.show(fmt::format("{}, pass {}", stage, ++pass), 0.0);
+  });
+  result.file = recording.info().file;
+  if (json) json->write(identification_json(result));
+  if (applied) applied->write(machine_file_text(identified_machine(machine, result)));
+  if (arguments.json != "-" && arguments.apply != "-") fmt::print("{}", identification_text(result));
+  if (json) json->commit();
+  if (applied) applied->commit();
+}
+
+}  // namespace
+
+void add_identify(CLI::App& program) {
+  auto arguments = std::make_shared<IdentifyArguments>();
+  CLI::App* command = program.add_subcommand(
+      "identify", "find the machine's parameters: value, standard error, identifiable or why not");
+  command->footer(kFooter);
+  command->add_option("recording", arguments->recording, "recording, .csv or .mrec")->required();
+  command->add_option(
+      "--machine", arguments->machine,
+      "'reference', 'thesis' or a machine file, the datasheet; the recording's own by default");
+  command
+      ->add_option(
+          "--filter", arguments->filter,
+          "'states': from speeds and current; 'derivatives': from measured accelerations, as in the thesis")
+      ->check(CLI::IsMember({"states", "derivatives"}))
+      ->capture_default_str();
+  command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
+  command->add_option("--apply", arguments->apply,
+                      "write the machine with the values that were identified (TOML)");
+  add_progress_option(*command, arguments->progress);
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,139 @@
+#include "sim_host/identify/axis_identification.hpp"
+
+#include <algorithm>
+
+#include "sim_host/identify/axis_pass.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr int kMostSteps = 10;
+constexpr double kSmallStep = 0.5;          // of a standard error
+constexpr double kVague = 0.05;             // what is known no better need not stand still
+constexpr double kWorthIt = 3.0;            // log-likelihood that a larger process noise must bring
+constexpr std::size_t kNoiseRows = 100000;  // tell the process noise well enough
+constexpr double kLeastShare = 1.0e-8;
+constexpr double kMostShare = 10.0;
+
+using Shares = std::array<double, 2>;
+
+/// The Gauss-Newton passes.
+template <class Traits, class Mode>
+class Search {
+ public:
+  using Pass = AxisPass<Traits, Mode>;
+  using Values = typename Pass::Values;
+
+  Search(const RecordingSignals& signals, const MonitorConfiguration& configuration, const OnPass& on_pass)
+      : signals_(signals), configuration_(configuration), on_pass_(on_pass) {
+    for (std::size_t j = 0; j < Pass::kCount; ++j)
+      found_.value[j] = value_in(configuration.machine, Traits::kValues[j]);
+  }
+
+  AxisEstimate run() {
+    start();
+    settle();
+    if (choose_process_noise()) settle();
+    return estimate();
+  }
+
+ private:
+  using Result = typename Pass::Result;
+
+  /// The board's pass. What it does not find stays the datasheet's.
+  void start() {
+    using OnLinePass = AxisPass<Traits, OnLine>;
+    count_pass();
+    typename OnLinePass::Values datasheet{};
+    std::copy_n(found_.value.begin(), datasheet.size(), datasheet.begin());
+    const double share = Traits::kOnLineShare;
+    const auto first = OnLinePass(signals_, configuration_, signals_.rows).run(datasheet, {share, share});
+    std::copy_n(first.value.begin(), datasheet.size(), found_.value.begin());
+  }
+
+  void count_pass() {
+    ++passes_;
+    on_pass_();
+  }
+
+  Result pass(const Shares& share, std::size_t rows) {
+    count_pass();
+    return Pass(signals_, configuration_, rows).run(found_.value, share);
+  }
+
+  void settle() {
+    has_settled_ = false;
+    for (int step = 0; step < kMostSteps && !has_settled_; ++step) {
+      Result next = pass(share_, signals_.rows);
+      has_settled_ = is_small_step(next);
+      found_ = std::move(next);
+    }
+  }
+
+  bool is_small_step(const Result& next) const {
+    for (std::size_t j = 0; j < Pass::kCount; ++j) {
+      const auto k = static_cast<Eigen::Index>(j);
+      if (!(found_.value[j] > 0.0)) continue;  // no parameter
+      const double step = std::abs(std::log(next.value[j] / found_.value[j]));
+      const double deviation = std::sqrt(next.covariance(k, k));
+      if (deviation < kVague && !(step <= kSmallStep * deviation)) return false;
+    }
+    return true;
+  }
+
+  /// Is there more process noise than the least? Climbs in both signals together, then in each alone.
+  bool choose_process_noise() {
+    const std::size_t rows = std::min(signals_.rows, kNoiseRows);
+    const Shares before = share_;
+    double likelihood = pass(share_, rows).log_likelihood;
+    const auto climb = [&](double factor0, double factor1) {
+      for (;;) {
+        const Shares share{share_[0] * factor0, share_[1] * factor1};
+        if (std::max(share[0], share[1]) > kMostShare) return;
+        const double next = pass(share, rows).log_likelihood;
+        if (!(next > likelihood + kWorthIt)) return;
+        likelihood = next;
+        share_ = share;
+      }
+    };
+    climb(100.0, 100.0);
+    climb(10.0, 1.0);
+    climb(1.0, 10.0);
+    return share_ != before;
+  }
+
+  AxisEstimate estimate() const {
+    return {.names = {Traits::kValues.begin(), Traits::kValues.begin() + Pass::kCount},
+            .value = {found_.value.begin(), found_.value.end()},
+            .covariance = found_.covariance,
+            .has_settled = has_settled_,
+            .ratio = found_.ratio,
+            .correlation = found_.correlation,
+            .process_share = share_,
+            .passes = passes_};
+  }
+
+  const RecordingSignals& signals_;
+  const MonitorConfiguration& configuration_;
+  const OnPass& on_pass_;
+  Result found_;
+  Shares share_{kLeastShare, kLeastShare};
+  bool has_settled_ = false;
+  int passes_ = 0;
+};
+
+}  // namespace
+
+template <class Traits>
+AxisEstimate identify_axis(const RecordingSignals& signals, const MonitorConfiguration& configuration,
+                           bool finds_friction, const OnPass& on_pass) {
+  if (finds_friction) return Search<Traits, AnchoredWithFriction>(signals, configuration, on_pass).run();
+  return Search<Traits, Anchored>(signals, configuration, on_pass).run();
+}
+
+template AxisEstimate identify_axis<SpindleTraits>(const RecordingSignals&, const MonitorConfiguration&, bool,
+                                                   const OnPass&);
+template AxisEstimate identify_axis<FeedTraits>(const RecordingSignals&, const MonitorConfiguration&, bool,
+                                                const OnPass&);
+
+}  // namespace morepro::host

@@ -1,0 +1,40 @@
+#pragma once
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/identify/axis_traits.hpp"
+#include "sim_host/identify/machine_value.hpp"
+
+namespace morepro::host {
+
+/// Called before every pass over the recording.
+using OnPass = std::function<void()>;
+
+/// What a filter found of the values of one axis or balance.
+struct AxisEstimate {
+  std::vector<MachineValue> names;
+  std::vector<double> value;
+  Eigen::MatrixXd covariance;  ///< of the logarithms of the values
+  bool has_settled = true;     ///< the last step was small against what it claims
+  double ratio = 1.0;          ///< mean squared innovation in the sensors' noise, 1: as the sensors say
+  double correlation = 0.0;    ///< of neighbouring innovations, the larger of the two signals'; 0: white
+  std::array<double, 2> process_share{};  ///< process noise per sample, of each sensor's variance
+  int passes = 0;
+};
+
+/// Finds the values of one axis: a pass of the board's filter from the datasheet, then Gauss-Newton passes
+/// that are linearised at the values found so far, with the process noise under which the innovations are
+/// most likely. With `finds_friction` the axis's viscous friction, > 0 in the datasheet, is one of them, the
+/// last.
+template <class Traits>
+AxisEstimate identify_axis(const RecordingSignals& signals, const MonitorConfiguration& configuration,
+                           bool finds_friction, const OnPass& on_pass);
+
+extern template AxisEstimate identify_axis<SpindleTraits>(const RecordingSignals&,
+                                                          const MonitorConfiguration&, bool, const OnPass&);
+extern template AxisEstimate identify_axis<FeedTraits>(const RecordingSignals&, const MonitorConfiguration&,
+                                                       bool, const OnPass&);
+
+}  // namespace morepro::host

@@ -1,0 +1,140 @@
+#include "sim_host/identify/identification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim_host/identify/axis_identification.hpp"
+#include "sim_host/identify/derivative_pass.hpp"
+#include "sim_host/identify/parameter_verdict.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr const char* kGivenFriction =
+    "taken with the {} of the machine file, which this recording does not tell";
+
+class Identifier {
+ public:
+  Identifier(const RecordingSignals& signals, const MachineDescription& machine, IdentificationFilter filter,
+             const OnStage& on_stage)
+      : signals_(signals), machine_(machine), on_stage_(on_stage) {
+    result_.filter = filter;
+    result_.machine = machine.name;
+    result_.rows = signals.rows;
+    result_.rate_hz = signals.rate_hz;
+    result_.duration_s = signals.duration_s();
+    result_.missing_rows = signals.missing_rows;
+    for (std::size_t j = 0; j < kMachineValueCount; ++j) obstruct(static_cast<MachineValue>(j));
+  }
+
+  IdentificationResult run() {
+    if (result_.filter == IdentificationFilter::kDerivatives) {
+      if (is_open(MachineValue::kTorqueConstant) || is_open(MachineValue::kMass)) {
+        on_stage_("accelerations");
+        for (const AxisEstimate& estimate : derivative_pass(signals_, machine_.configuration)) take(estimate);
+      }
+    } else {
+      if (is_open(MachineValue::kTorqueConstant)) take_axis<SpindleTraits>("spindle");
+      if (is_open(MachineValue::kMass)) take_axis<FeedTraits>("feed");
+    }
+    advise();
+    // A friction that was not asked for has no line of its own.
+    std::erase_if(result_.parameters, [&](const ParameterResult& p) { return p.reason == kNotAsked; });
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr const char* kNotAsked = "not asked for";
+
+  bool is_open(MachineValue value) const { return is_open_[index_of(value)]; }
+
+  void obstruct(MachineValue value) {
+    std::string obstacle =
+        is_friction(value) ? std::string(kNotAsked) : obstacle_to(value, result_.filter, signals_, machine_);
+    is_open_[index_of(value)] = obstacle.empty();
+    result_.parameters.push_back(unanswered(value, machine_, std::move(obstacle)));
+  }
+
+  /// With the friction where the recording tells it.
+  template <class Traits>
+  void take_axis(const char* axis) {
+    const MachineValue friction = Traits::kValues.back();
+    const OnPass on_pass = [&] { on_stage_(axis); };
+    const bool has_friction = value_in(machine_.configuration.machine, friction) > 0.0;
+    AxisEstimate found = identify_axis<Traits>(signals_, machine_.configuration, has_friction, on_pass);
+    const bool tells_friction = has_friction && is_told(found, found.names.size() - 1);
+    int passes = found.passes;
+    if (has_friction && !tells_friction) {
+      found = identify_axis<Traits>(signals_, machine_.configuration, false, on_pass);
+      passes += found.passes;
+    }
+    is_open_[index_of(friction)] = tells_friction;
+    result_.axes.push_back({axis, found.ratio, found.correlation, found.process_share, passes});
+    take(found);
+    if (has_friction && !tells_friction) mention(friction);
+  }
+
+  void take(const AxisEstimate& estimate) {
+    for (std::size_t i = 0; i < estimate.names.size(); ++i) {
+      const std::size_t j = index_of(estimate.names[i]);
+      if (is_open_[j]) result_.parameters[j] = answered(estimate, i, machine_);
+    }
+  }
+
+  /// The values that are balanced with a friction are as right as it is.
+  void mention(MachineValue friction) {
+    const bool is_feed = is_of_feed(friction);
+    for (const MachineValue value : {is_feed ? MachineValue::kMass : MachineValue::kTorqueConstant,
+                                     is_feed ? MachineValue::kContactForce : MachineValue::kInertia}) {
+      ParameterResult& result = result_.parameters[index_of(value)];
+      if (!result.is_identifiable) continue;
+      result.reason += fmt::format("{}{}", result.reason.empty() ? "" : "; ",
+                                   fmt::format(fmt::runtime(kGivenFriction), name_of(friction)));
+    }
+  }
+
+  void advise() {
+    std::vector<std::string> wanted;
+    bool is_any_open = false;
+    for (std::size_t j = 0; j < kMachineValueCount; ++j) {
+      if (!is_open_[j]) continue;
+      is_any_open = true;
+      const std::string advice = excitation_for(static_cast<MachineValue>(j));
+      if (!result_.parameters[j].is_identifiable &&
+          std::find(wanted.begin(), wanted.end(), advice) == wanted.end())
+        wanted.push_back(advice);
+    }
+    result_.is_sufficient = is_any_open && wanted.empty();
+    if (!is_any_open)
+      result_.advice = "record the inputs and what moves: 'identify --help' lists the columns";
+    else if (!wanted.empty())
+      result_.advice = fmt::format("record {}", fmt::join(wanted, "; "));
+  }
+
+  const RecordingSignals& signals_;
+  const MachineDescription& machine_;
+  const OnStage& on_stage_;
+  std::array<bool, kMachineValueCount> is_open_{};
+  IdentificationResult result_;
+};
+
+}  // namespace
+
+IdentificationResult identify(const RecordingSignals& signals, const MachineDescription& machine,
+                              IdentificationFilter filter, const OnStage& on_stage) {
+  return Identifier(signals, machine, filter, on_stage).run();
+}
+
+MachineDescription identified_machine(const MachineDescription& machine, const IdentificationResult& result) {
+  MachineDescription identified = machine;
+  for (std::size_t j = 0; j < kMachineValueCount; ++j) {
+    const auto value = static_cast<MachineValue>(j);
+    for (const ParameterResult& p : result.parameters)
+      if (p.is_identifiable && p.name == name_of(value))
+        value_in(identified.configuration.machine, value) = p.refit;
+  }
+  return identified;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,42 @@
+#include "sim_host/identify/machine_value.hpp"
+
+#include "sim_host/replay/names.hpp"
+
+namespace morepro::host {
+
+std::string_view name_of(MachineValue value) {
+  if (value == MachineValue::kSpindleFriction) return "viscous_friction_nms_rad";
+  if (value == MachineValue::kFeedFriction) return "viscous_friction_ns_m";
+  return name_of(static_cast<Parameter>(value));
+}
+
+double& value_in(MachineParameters& machine, MachineValue value) {
+  switch (value) {
+    case MachineValue::kTorqueConstant:
+      return machine.spindle.torque_constant_nm_a;
+    case MachineValue::kInertia:
+      return machine.spindle.inertia_kgm2;
+    case MachineValue::kMass:
+      return machine.feed.mass_kg;
+    case MachineValue::kContactForce:
+      return machine.feed.contact_force_n;
+    case MachineValue::kInductance:
+      return machine.spindle.inductance_h;
+    case MachineValue::kResistance:
+      return machine.spindle.resistance_ohm;
+    case MachineValue::kBackEmfConstant:
+      return machine.spindle.back_emf_constant_vs_rad;
+    case MachineValue::kSpindleFriction:
+      return machine.spindle.viscous_friction_nms_rad;
+    case MachineValue::kFeedFriction:
+      break;
+  }
+  return machine.feed.viscous_friction_ns_m;
+}
+
+double value_in(const MachineParameters& machine, MachineValue value) {
+  MachineParameters copy = machine;
+  return value_in(copy, value);
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,158 @@
+#include "sim_host/identify/parameter_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim_host/identify/axis_traits.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kSharp = 0.05;        // a relative standard error above says nothing to an engineer
+constexpr double kLearnt = 1.0 / 3.0;  // of the datasheet's own standard error
+constexpr double kShown = 0.25;        // known too badly to be used, well enough to be shown
+constexpr double kCorrelated = 0.9;
+constexpr double kColoured = 0.5;  // correlation of innovations of a model that does not fit
+
+constexpr const char* kWithOffset =
+    "only together with contact_offset_n, which is taken for the datasheet's; to tell them apart, record "
+    "different "
+    "engagements";
+
+bool is_of_voltage(MachineValue value) {
+  return value == MachineValue::kInductance || value == MachineValue::kResistance ||
+         value == MachineValue::kBackEmfConstant;
+}
+
+std::vector<Channel> needed(MachineValue value, IdentificationFilter filter) {
+  const bool by_derivatives = filter == IdentificationFilter::kDerivatives;
+  std::vector<Channel> channels{Channel::kArmatureVoltage, Channel::kSpindleSpeed, Channel::kArmatureCurrent};
+  if (by_derivatives)
+    channels = {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kSpindleAcceleration};
+  if (is_of_feed(value)) channels = {Channel::kFeedForce};
+  if (is_of_feed(value) && by_derivatives) channels.push_back(Channel::kFeedAcceleration);
+  if (value == MachineValue::kContactForce) channels.push_back(Channel::kContact);
+  return channels;
+}
+
+bool has_feed_motion(const RecordingSignals& signals) {
+  return signals.has(Channel::kFeedSpeed) || signals.has(Channel::kFeedPosition);
+}
+
+double deviation_of(const AxisEstimate& e, std::size_t i) {
+  const auto k = static_cast<Eigen::Index>(i);
+  // Innovations that follow each other count less, sensors that are noisier than described weigh less.
+  const double coloured = std::clamp(e.correlation, 0.0, 0.99);
+  return std::sqrt(e.covariance(k, k) * std::max(e.ratio, 1.0) * (1.0 + coloured) / (1.0 - coloured));
+}
+
+/// The parameter that number `index` is most correlated with; itself where that is not much.
+std::size_t partner_of(const AxisEstimate& e, std::size_t index) {
+  const auto i = static_cast<Eigen::Index>(index);
+  std::size_t partner = index;
+  double most = kCorrelated;
+  for (std::size_t k = 0; k < e.names.size(); ++k) {
+    const auto j = static_cast<Eigen::Index>(k);
+    const double correlation =
+        std::abs(e.covariance(i, j)) / std::sqrt(e.covariance(i, i) * e.covariance(j, j));
+    if (k == index || !(correlation > most)) continue;
+    most = correlation;
+    partner = k;
+  }
+  return partner;
+}
+
+bool fits(const AxisEstimate& e) { return e.correlation < kColoured; }
+
+std::string reason_for(const AxisEstimate& e, std::size_t index) {
+  if (!fits(e)) return "the model does not fit the recording; 'morepro diagnose' tells what it lacks";
+  const char* advice = excitation_for(e.names[index]);
+  if (!e.has_settled) return fmt::format("the estimate does not settle; it needs {}", advice);
+  const std::size_t partner = partner_of(e, index);
+  const double deviation = deviation_of(e, index);
+  if (partner != index)
+    return fmt::format("only a combination with {} is told; it needs {}", name_of(e.names[partner]), advice);
+  if (deviation > kSharp && deviation < kShown)
+    return fmt::format("known to {:.0f} % only; it needs {}", 100.0 * deviation, advice);
+  return fmt::format("the recording does not excite it; it needs {}", advice);
+}
+
+}  // namespace
+
+const char* excitation_for(MachineValue value) {
+  switch (value) {
+    case MachineValue::kTorqueConstant:
+      return "currents under a known load, such as contact on and off";
+    case MachineValue::kInertia:
+      return "speeds that change, such as steps of the voltage";
+    case MachineValue::kMass:
+      return "steps of the feed force";
+    case MachineValue::kContactForce:
+      return "contact on and off";
+    case MachineValue::kInductance:
+      return "steps of the voltage, sampled several times within L/R";
+    case MachineValue::kResistance:
+      return "currents that vary apart from the speed, such as contact on and off";
+    case MachineValue::kBackEmfConstant:
+      return "speeds that vary apart from the current, such as contact on and off";
+    case MachineValue::kSpindleFriction:
+      return "several speeds, in the air and in the cut";
+    case MachineValue::kFeedFriction:
+      return "several feed speeds";
+  }
+  return "";
+}
+
+std::string obstacle_to(MachineValue value, IdentificationFilter filter, const RecordingSignals& signals,
+                        const MachineDescription& machine) {
+  const bool is_described = !is_of_feed(value) ? machine.has_spindle : machine.has_feed;
+  if (!is_described)
+    return fmt::format("the machine file describes no {}", !is_of_feed(value) ? "[spindle]" : "[feed]");
+  if (!(value_in(machine.configuration.machine, value) > 0.0))
+    return fmt::format("{} is 0 in the machine file; give it a value to start from", name_of(value));
+  if (filter == IdentificationFilter::kDerivatives && is_of_voltage(value))
+    return "a recording holds no derivative of the current; use --filter states";
+  std::string absent;
+  for (const Channel channel : needed(value, filter))
+    if (!signals.has(channel))
+      absent += fmt::format("{}{}", absent.empty() ? "" : ", ", info_of(channel).column);
+  if (is_of_feed(value) && !has_feed_motion(signals))
+    absent += fmt::format("{}feed_speed_m_s or feed_position_m", absent.empty() ? "" : ", ");
+  return absent.empty() ? "" : fmt::format("not recorded: {}", absent);
+}
+
+ParameterResult unanswered(MachineValue value, const MachineDescription& machine, std::string reason) {
+  const bool is_described = !is_of_feed(value) ? machine.has_spindle : machine.has_feed;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  return {std::string(name_of(value)),
+          is_described ? value_in(machine.configuration.machine, value) : kNone,
+          kNone,
+          kNone,
+          false,
+          std::move(reason)};
+}
+
+bool is_told(const AxisEstimate& e, std::size_t index) {
+  const double deviation = deviation_of(e, index);
+  return fits(e) && e.has_settled && deviation <= kSharp && deviation <= kLearnt * kDatasheetFraction;
+}
+
+ParameterResult answered(const AxisEstimate& e, std::size_t index, const MachineDescription& machine) {
+  const MachineValue value = e.names[index];
+  const double deviation = deviation_of(e, index);
+  ParameterResult result = unanswered(value, machine, "");
+  result.is_identifiable = is_told(e, index);
+  result.reason = !result.is_identifiable                ? reason_for(e, index)
+                  : value == MachineValue::kContactForce ? kWithOffset
+                                                         : "";
+  if (result.is_identifiable || (fits(e) && deviation < kShown)) {
+    result.refit = e.value[index];
+    result.standard_error = e.value[index] * deviation;
+  }
+  return result;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,133 @@
+"""The machine's parameters from a recording, as a user asks for them."""
+
+import csv
+import json
+import unittest
+
+from program import ProgramTest
+
+SEVEN = ["torque_constant_nm_a", "inertia_kgm2", "mass_kg", "contact_force_n", "inductance_h", "resistance_ohm",
+         "back_emf_constant_vs_rad"]
+TRUE = {"torque_constant_nm_a": 0.08, "inertia_kgm2": 1.2e-4, "mass_kg": 3.0, "contact_force_n": 20.0,
+        "inductance_h": 5e-4, "resistance_ohm": 0.8, "back_emf_constant_vs_rad": 0.08,
+        "viscous_friction_nms_rad": 1e-4, "viscous_friction_ns_m": 200.0}
+SPINDLE = ("armature_voltage_v", "spindle_speed_rad_s", "armature_current_a", "contact", "chip_load_mm",
+           "tool_temperature_degc")
+FEED = ("feed_force_n", "feed_speed_m_s", "contact", "engagement")
+
+
+class Identify(ProgramTest):
+    def simulate(self, *options, duration=3, out="run.csv"):
+        self.must_do("simulate", "--profile", "rich", "--duration", duration, "--seed", 7, "--datasheet-error", 0.2,
+                     "--machine-out", "sheet.toml", *options, "--out", out)
+
+    def identify(self, *options, recording="run.csv", machine="sheet.toml"):
+        done = self.must_do("identify", recording, "--machine", machine, "--json", "-", *options)
+        result = json.loads(done.stdout)
+        self.assertEqual(result["schema"], "morepro.identification/1")
+        return result, {entry["name"]: entry for entry in result["parameters"]}
+
+    def keep_columns(self, *names):
+        path = self.folder / "run.csv"
+        text = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+        lines = ["time_s," + ",".join(names)]
+        lines += [",".join(row[name] for name in ("time_s", *names)) for row in csv.DictReader(text)]
+        self.write("part.csv", "\n".join(lines) + "\n")
+
+    def check(self, entry):
+        self.assertTrue(entry["identifiable"], entry)
+        error = abs(entry["refit"] - TRUE[entry["name"]])
+        self.assertLess(error, 4 * entry["standard_error"], entry)
+        self.assertLess(error, 0.01 * TRUE[entry["name"]], entry)
+
+
+class Results(Identify):
+    def test_a_rich_recording_tells_everything_and_how_well(self):
+        self.simulate()
+        result, parameters = self.identify()
+        self.assertEqual([entry["name"] for entry in result["parameters"]][:7], SEVEN)
+        for entry in result["parameters"]:
+            self.assertEqual(set(entry), {"name", "datasheet", "refit", "standard_error", "identifiable", "reason"})
+            self.check(entry)
+        self.assertIn("viscous_friction_ns_m", parameters)
+        self.assertIn("contact_offset_n", parameters["contact_force_n"]["reason"])
+        self.assertEqual(result["excitation"], {"sufficient": True, "advice": ""})
+
+    def test_csv_and_native_recordings_say_the_same(self):
+        self.simulate(duration=1)
+        self.must_do("convert", "run.csv", "run.mrec")
+        first, second = self.identify()[1], self.identify(recording="run.mrec")[1]
+        for name in SEVEN:
+            self.assertAlmostEqual(first[name]["refit"] / second[name]["refit"], 1.0, delta=1e-5)
+
+    def test_the_machine_that_it_writes_is_the_machine(self):
+        self.simulate()
+        self.must_do("identify", "run.csv", "--machine", "sheet.toml", "--apply", "found.toml")
+        for entry in self.identify(machine="found.toml")[0]["parameters"]:
+            self.assertAlmostEqual(entry["datasheet"] / TRUE[entry["name"]], 1.0, delta=0.01)
+
+    def test_a_person_can_read_it(self):
+        self.simulate(duration=1)
+        text = self.must_do("identify", "run.csv", "--machine", "sheet.toml").stdout
+        for part in ("inertia_kgm2", "+-", "excitation", "datasheet"):
+            self.assertIn(part, text)
+        self.assertIn("Example: morepro", self.must_do("identify", "--help").stdout)
+
+    def test_measured_accelerations_give_the_thesis_form(self):
+        self.simulate()
+        result, parameters = self.identify("--filter", "derivatives", machine="reference")
+        self.assertEqual(result["filter"], "derivatives")
+        for name in ("torque_constant_nm_a", "inertia_kgm2"):
+            self.assertTrue(parameters[name]["identifiable"], parameters[name])
+            self.assertAlmostEqual(parameters[name]["refit"] / TRUE[name], 1.0, delta=0.02)
+        self.assertIn("--filter states", parameters["inductance_h"]["reason"])
+
+
+class HalfAMachine(Identify):
+    def test_a_feed_axis_alone(self):
+        self.simulate()
+        self.keep_columns(*FEED)
+        parameters = self.identify(recording="part.csv")[1]
+        for name in ("mass_kg", "contact_force_n"):
+            self.check(parameters[name])
+        self.assertFalse(parameters["inertia_kgm2"]["identifiable"])
+        self.assertIsNone(parameters["inertia_kgm2"]["refit"])
+        self.assertIn("armature_voltage_v", parameters["inertia_kgm2"]["reason"])
+
+    def test_a_spindle_alone(self):
+        self.simulate()
+        self.keep_columns(*SPINDLE)
+        parameters = self.identify(recording="part.csv")[1]
+        for name in ("torque_constant_nm_a", "inertia_kgm2", "resistance_ohm", "back_emf_constant_vs_rad"):
+            self.check(parameters[name])
+        self.assertIn("not recorded: feed_force_n", parameters["mass_kg"]["reason"])
+
+    def test_without_a_current_sensor_it_says_so(self):
+        self.simulate(duration=1)
+        self.keep_columns("armature_voltage_v", "spindle_speed_rad_s", "contact")
+        parameters = self.identify(recording="part.csv")[1]
+        self.assertEqual(parameters["resistance_ohm"]["reason"], "not recorded: armature_current_a")
+
+    def test_nothing_that_moves_tells_nothing(self):
+        rows = ["time_s,armature_voltage_v,spindle_speed_rad_s,armature_current_a"]
+        rows += [f"{k * 1e-4:.4f},0,0,0" for k in range(5000)]
+        self.write("run.csv", "\n".join(rows) + "\n")
+        result, parameters = self.identify(machine="reference")
+        self.assertFalse(any(entry["identifiable"] for entry in parameters.values()))
+        self.assertFalse(result["excitation"]["sufficient"])
+        self.assertTrue(result["excitation"]["advice"])
+
+
+class Mistakes(Identify):
+    def test_are_refused_and_nothing_is_written(self):
+        self.simulate(duration=0.2)
+        self.must_refuse(2, "identify", "run.csv", "--filter", "magic", "--json", "a.json")
+        self.must_refuse(2, "identify", "run.csv", "--json", "run.csv")
+        self.must_refuse(1, "identify", "absent.csv", "--json", "a.json")
+        self.write("text.csv", "time_s,armature_voltage_v\n0,1\n0.1,zwei\n")
+        self.must_refuse(1, "identify", "text.csv", "--json", "a.json")
+        self.assertEqual(self.files(), ["run.csv", "sheet.toml", "text.csv"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "sim_host/identify/axis_identification.hpp"
+#include "sim_host/identify/identification.hpp"
+#include "tests/support/spindle_simulation.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr int kSeeds = 20;
+constexpr std::size_t kRows = 20000;  // 2 s
+
+/// Every value alternately `factor` times too large and too small.
+MonitorConfiguration wrong_by(const MonitorConfiguration& truth, double factor) {
+  MonitorConfiguration wrong = truth;
+  for (std::size_t j = 0; j < kParameterCount; ++j)
+    value_in(wrong.machine, static_cast<MachineValue>(j)) *= j % 2 == 0 ? factor : 1.0 / factor;
+  return wrong;
+}
+
+class Recorder {
+ public:
+  Recorder(const MonitorConfiguration& configuration, std::uint64_t seed)
+      : configuration_(configuration), machine_(configuration, seed) {
+    signals_.rate_hz = configuration.sampling.rate_hz;
+    machine_.input = {.armature_voltage_v = 48.0,
+                      .feed_force_n = 26.0,
+                      .contact = 0.0,
+                      .engagement = 1.0,
+                      .chip_load_mm = configuration.machine.tool.chip_load_mm,
+                      .tool_temperature_degc = 500.0};
+  }
+
+  /// Voltage with a 1 ms and a 20 ms random part, feed force with a 30 ms one, contact on and off every 100
+  /// ms.
+  RecordingSignals excited() {
+    double fast = 6.0, slow = 6.0, force = 4.0;
+    const auto sign = [&] { return (machine_.random()() & 1U) != 0 ? 1.0 : -1.0; };
+    for (std::size_t k = 0; k < kRows; ++k) {
+      if (k % 10 == 0) fast = 6.0 * sign();
+      if (k % 200 == 0) slow = 6.0 * sign();
+      if (k % 300 == 0) force = 4.0 * sign();
+      machine_.input.armature_voltage_v = 48.0 + fast + slow;
+      machine_.input.feed_force_n = 26.0 + force;
+      machine_.input.contact = static_cast<double>((k / 1000) % 2);
+      take();
+    }
+    return std::move(signals_);
+  }
+
+  /// The thesis's own excitation: the steady cut.
+  RecordingSignals steady() {
+    machine_.input.contact = 1.0;
+    for (std::size_t k = 0; k < kRows; ++k) machine_.step();
+    for (std::size_t k = 0; k < kRows; ++k) take();
+    return std::move(signals_);
+  }
+
+ private:
+  void put(Channel channel, double value) {
+    signals_.value[index_of(channel)].push_back(static_cast<float>(value));
+    signals_.recorded = static_cast<std::uint16_t>(signals_.recorded | bit_of(channel));
+  }
+
+  void take() {
+    const auto y = machine_.measure();
+    const auto& u = machine_.input;
+    put(Channel::kArmatureVoltage, u.armature_voltage_v);
+    put(Channel::kFeedForce, u.feed_force_n);
+    put(Channel::kContact, u.contact);
+    put(Channel::kToolTemperature, u.tool_temperature_degc);
+    put(Channel::kSpindleSpeed, static_cast<double>(y.speed_rad_s));
+    put(Channel::kArmatureCurrent, static_cast<double>(y.current_a));
+    put(Channel::kFeedSpeed,
+        machine_.state().feed_speed_m_s +
+            configuration_.sensors[Channel::kFeedSpeed].noise * normal_(machine_.random()));
+    machine_.step();
+    ++signals_.rows;
+  }
+
+  MonitorConfiguration configuration_;
+  test::SpindleSimulation machine_;
+  std::normal_distribution<double> normal_;
+  RecordingSignals signals_;
+};
+
+struct Tally {
+  int covered = 0;
+  int counted = 0;
+  int freedom = 0;
+  double nees = 0.0;
+  double largest = 0.0;
+
+  template <class Traits>
+  void add(const RecordingSignals& signals, const MonitorConfiguration& truth,
+           const MonitorConfiguration& datasheet) {
+    const AxisEstimate found = identify_axis<Traits>(signals, datasheet, false, [] {});
+    Eigen::VectorXd error(found.covariance.rows());
+    for (Eigen::Index j = 0; j < error.size(); ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      error(j) = std::log(found.value[k] / value_in(truth.machine, found.names[k]));
+      covered += std::abs(error(j)) < 3.0 * std::sqrt(found.covariance(j, j)) ? 1 : 0;
+      largest = std::max(largest, std::abs(error(j)));
+      ++counted;
+    }
+    EXPECT_TRUE(found.has_settled);
+    nees += error.dot(found.covariance.ldlt().solve(error));
+    freedom += static_cast<int>(error.size());
+  }
+};
+
+struct Start {
+  const char* name;
+  bool is_thesis;
+  double factor;
+};
+
+class Identify : public testing::TestWithParam<Start> {};
+
+// Goals: 1 % from starts that are off by 30 %, 2 % from a factor of two; reached: a tenth of that. NEES: a
+// chi-square number of 140 degrees of freedom stays inside mean +- 3.3 sigma in 999 of 1000 cases.
+TEST_P(Identify, FindsAllSevenAndKnowsHowWell) {
+  const auto truth = GetParam().is_thesis ? thesis_configuration() : reference_configuration();
+  const auto datasheet = wrong_by(truth, GetParam().factor);
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const RecordingSignals signals = Recorder(truth, seed).excited();
+    tally.add<SpindleTraits>(signals, truth, datasheet);
+    tally.add<FeedTraits>(signals, truth, datasheet);
+  }
+  EXPECT_LE(tally.largest, 0.01);
+  EXPECT_GE(tally.covered, tally.counted * 95 / 100);
+  const double spread = std::sqrt(2.0 * tally.freedom);
+  EXPECT_NEAR(tally.nees, tally.freedom, 3.3 * spread);
+  RecordProperty("largest_error_percent", std::to_string(100.0 * tally.largest));
+  RecordProperty("nees_per_freedom", std::to_string(tally.nees / tally.freedom));
+}
+
+INSTANTIATE_TEST_SUITE_P(Starts, Identify,
+                         testing::Values(Start{"thesis_30_percent", true, 1.3},
+                                         Start{"thesis_double", true, 2.0}, Start{"thesis_half", true, 0.5},
+                                         Start{"reference_30_percent", false, 1.3},
+                                         Start{"reference_double", false, 2.0},
+                                         Start{"reference_half", false, 0.5}),
+                         [](const auto& instance) { return instance.param.name; });
+
+MachineDescription described(const MonitorConfiguration& configuration) {
+  MachineDescription machine;
+  machine.configuration = configuration;
+  return machine;
+}
+
+const ParameterResult& named(const IdentificationResult& result, std::string_view name) {
+  for (const auto& parameter : result.parameters)
+    if (parameter.name == name) return parameter;
+  throw std::runtime_error("no such parameter");
+}
+
+TEST(IdentifySteadyCut, TellsTheTorqueConstantAndSaysWhatItDoesNotTell) {
+  const auto truth = thesis_configuration();
+  auto wrong = wrong_by(truth, 1.3);
+  const auto result = identify(Recorder(truth, 3).steady(), described(wrong), IdentificationFilter::kStates,
+                               [](const auto&) {});
+  const auto& torque = named(result, "torque_constant_nm_a");
+  EXPECT_TRUE(torque.is_identifiable) << torque.reason;
+  EXPECT_NEAR(torque.refit, 1.5, 3.0 * torque.standard_error);
+  EXPECT_NE(torque.reason.find("viscous_friction_nms_rad"), std::string::npos);
+  for (const char* name : {"inertia_kgm2", "inductance_h", "resistance_ohm", "back_emf_constant_vs_rad",
+                           "mass_kg", "contact_force_n"}) {
+    EXPECT_FALSE(named(result, name).is_identifiable) << name;
+    EXPECT_FALSE(named(result, name).reason.empty()) << name;
+  }
+  EXPECT_NE(named(result, "resistance_ohm").reason.find("back_emf_constant_vs_rad"), std::string::npos);
+  EXPECT_NE(named(result, "back_emf_constant_vs_rad").reason.find("resistance_ohm"), std::string::npos);
+  EXPECT_FALSE(result.is_sufficient);
+  EXPECT_FALSE(result.advice.empty());
+}
+
+TEST(IdentifyFriction, AWrongFrictionIsFoundWithTheRest) {
+  const auto truth = reference_configuration();
+  auto wrong = wrong_by(truth, 1.3);
+  wrong.machine.spindle.viscous_friction_nms_rad *= 0.7;
+  wrong.machine.feed.viscous_friction_ns_m *= 1.3;
+  const auto result = identify(Recorder(truth, 4).excited(), described(wrong), IdentificationFilter::kStates,
+                               [](const auto&) {});
+  ASSERT_EQ(result.parameters.size(), kMachineValueCount);
+  for (std::size_t j = 0; j < kMachineValueCount; ++j) {
+    const auto& parameter = result.parameters[j];
+    const double expected = value_in(truth.machine, static_cast<MachineValue>(j));
+    EXPECT_TRUE(parameter.is_identifiable) << parameter.name << " " << parameter.reason;
+    EXPECT_NEAR(parameter.refit, expected, std::min(0.01 * expected, 4.0 * parameter.standard_error))
+        << parameter.name;
+  }
+}
+
+}  // namespace
+}  // namespace morepro::host
