@@ -1,16 +1,10 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import "./chart.css";
+import { shown } from "./number.js";
 import { color, onThemeChange, seriesColor } from "./theme.js";
 
 const charts = [];
-
-/** Six digits: nobody reads more of them. */
-function shown(value) {
-  if (value == null) return "–";
-  const isPlain = value === 0 || (Math.abs(value) >= 1e-4 && Math.abs(value) < 1e6);
-  return isPlain ? String(Number(value.toPrecision(6))) : String(Number(value.toPrecision(6)).toExponential());
-}
 
 function axis(options) {
   const grid = { stroke: color("line"), width: 1 };
@@ -25,9 +19,9 @@ function optionsOf({ x, series, height, sync, plugins = [], scales = {} }, width
     scales: { x: { time: false }, ...scales },
     cursor: { sync: sync ? { key: sync } : undefined, drag: { x: false, y: false }, points: { size: 7 } },
     legend: { live: true },
-    axes: [axis({ size: 30 }), axis({ size: 66, space: 26, values: (_, ticks) => ticks.map(shown) })],
+    axes: [axis({ size: 30 }), axis({ size: 66, space: 26, values: (_, ticks) => ticks.map((tick) => shown(tick)) })],
     series: [
-      { label: x, value: (_, value) => shown(value) },
+      { label: x, value: (_, value) => shown(value, 6) },
       ...series.map((one, index) => ({
         label: one.label,
         stroke: seriesColor(one.color ?? index),
@@ -35,7 +29,7 @@ function optionsOf({ x, series, height, sync, plugins = [], scales = {} }, width
         dash: one.dash,
         points: { show: Boolean(one.points), size: 6, fill: seriesColor(one.color ?? index) },
         spanGaps: false,
-        value: (_, value) => shown(value),
+        value: (_, value) => shown(value, 6),
       })),
     ],
   };
@@ -51,7 +45,7 @@ export function addChart(place, description, data) {
   figure.className = "chart";
   figure.setAttribute("aria-label", description.title);
   const heading = document.createElement("h2");
-  heading.textContent = `${description.title}, ${description.y}`;
+  heading.textContent = description.y === "1" ? description.title : `${description.title}, ${description.y}`;
   const body = document.createElement("div");
   figure.append(heading, body);
   place.append(figure);
@@ -60,6 +54,7 @@ export function addChart(place, description, data) {
   const draw = () => {
     chart.plot?.destroy();
     chart.plot = new uPlot(optionsOf(description, width()), data, body);
+    chart.plot.setLegend({ idx: data[0].length - 1 });
   };
   draw();
   new ResizeObserver(() => {
