@@ -48,7 +48,7 @@ test("every figure has its curves, its values and its sentence", async () => {
 test("the table shows the values of the JSON", async () => {
   const { page } = await openPage(browser, folder.file("page.html"));
   const { figures } = JSON.parse(folder.read("values.json"));
-  const cells = await page.$$eval("#figure-25 tbody tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  const cells = await page.$$eval("#figure-25 .table tbody tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
   const { comparisons } = figures.find(({ figure }) => figure === 25);
   comparisons.forEach(({ quantity, ours, difference }, i) => {
     assert.equal(cells[i][0], quantity);

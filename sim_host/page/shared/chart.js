@@ -11,11 +11,14 @@ function axis(options) {
   return { stroke: color("muted"), grid, ticks: grid, font: "12px system-ui", ...options };
 }
 
+/** The legend's values while nobody points anywhere; charts with a common time have that time's. */
+const LAST_VALUES = { hooks: { ready: (plot) => plot.setLegend({ idx: plot.data[0].length - 1 }) } };
+
 function optionsOf({ x, series, height, sync, plugins = [], scales = {} }, width) {
   return {
     width,
     height,
-    plugins,
+    plugins: sync ? plugins : [...plugins, LAST_VALUES],
     scales: { x: { time: false }, ...scales },
     cursor: { sync: sync ? { key: sync } : undefined, drag: { x: false, y: false }, points: { size: 7 } },
     legend: { live: true },
@@ -54,7 +57,6 @@ export function addChart(place, description, data) {
   const draw = () => {
     chart.plot?.destroy();
     chart.plot = new uPlot(optionsOf(description, width()), data, body);
-    chart.plot.setLegend({ idx: data[0].length - 1 });
   };
   draw();
   new ResizeObserver(() => {
