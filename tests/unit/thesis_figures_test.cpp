@@ -108,6 +108,17 @@ TEST(ThesisFigures, ExcitedTheLibraryFindsAllSevenWithinFourStandardErrors) {
   }
 }
 
+TEST(ThesisFigures, EveryRunBeginsAtItsStart) {
+  ParameterValues start = parameters_of(thesis_machine());
+  for (std::size_t j = 0; j < kParameterCount; ++j) start[j] *= 0.7 + 0.1 * static_cast<double>(j);
+  const IdentificationSetting setting{.drive = Drive::kConstant, .start = start, .duration_s = 0.0};
+  const auto printed = run_printed_filter(setting), library = run_library_filter(setting);
+  for (std::size_t j = 0; j < kParameterCount; ++j) {
+    EXPECT_EQ(printed.value[j].front(), start[j]) << j;
+    EXPECT_NEAR(library.value[j].front(), start[j], 1.0e-6 * start[j]) << j;
+  }
+}
+
 TEST(ThesisFigures, ADifferenceIsSaidInPercentAsAFactorOrByTheEnds) {
   const auto text = [](Range printed, Range ours) {
     return difference_of({.quantity = "", .unit = "", .printed = printed, .ours = ours});
