@@ -44,8 +44,8 @@ void run(const ThesisArguments& arguments) {
   const auto json = open_if_asked(arguments.json);
   const auto figures = thesis::all_figures();
   const auto bank = bank_of(arguments);
-  if (report) report->write(page_html(k_thesis_page, thesis::thesis_json(figures, bank, true)));
-  if (json) json->write(thesis::thesis_json(figures, bank, false));
+  if (report) report->write(thesis::thesis_page(figures, bank));
+  if (json) json->write(thesis::thesis_json(figures, bank));
   if (!report && arguments.json != "-") {
     fmt::print("{}", thesis::figures_text(figures));
     if (!bank.empty()) fmt::print("\n{}", thesis::bank_text(bank, arguments.runs));

@@ -9,30 +9,30 @@
 namespace morepro::host {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using Rows = std::vector<TrajectoryRow>;
 
 constexpr std::size_t kMostRows = 4000;
 
 /// One list per row of the trajectory.
 template <class Value>
-json column(const Rows& rows, Value value) {
-  json list = json::array();
+Json column(const Rows& rows, Value value) {
+  Json list = Json::array();
   for (const TrajectoryRow& row : rows) list.push_back(value(row));
   return list;
 }
 
 template <class Value>
-json columns(const Rows& rows, std::size_t count, Value value) {
-  json lists = json::array();
+Json columns(const Rows& rows, std::size_t count, Value value) {
+  Json lists = Json::array();
   for (std::size_t i = 0; i < count; ++i)
     lists.push_back(column(rows, [&](const TrajectoryRow& row) { return value(row, i); }));
   return lists;
 }
 
-json joints_json(const kinematics::DhTable& table) {
+Json joints_json(const kinematics::DhTable& table) {
   const std::vector<std::string> names = joint_names(table);
-  json joints = json::array();
+  Json joints = Json::array();
   for (std::size_t i = 0; i < table.count; ++i) {
     const kinematics::DhJoint& joint = table.joints[i];
     const bool turns = joint.kind == kinematics::JointKind::kRevolute;
@@ -47,8 +47,8 @@ json joints_json(const kinematics::DhTable& table) {
   return joints;
 }
 
-json points_json(const KinematicsJob& job) {
-  json points = json::array();
+Json points_json(const KinematicsJob& job) {
+  Json points = Json::array();
   for (const PathPoint& point : job.points) {
     const auto placed = job.placement * point.waypoint.position_m;
     points.push_back({placed(0), placed(1), placed(2)});
@@ -56,7 +56,7 @@ json points_json(const KinematicsJob& job) {
   return points;
 }
 
-json rows_json(const Rows& rows, std::size_t joints) {
+Json rows_json(const Rows& rows, std::size_t joints) {
   const auto at = [](std::size_t i) { return static_cast<int>(i); };
   return {{"time_s", column(rows, [](const TrajectoryRow& row) { return row.time_s; })},
           {"joints", columns(rows, joints, [](const TrajectoryRow& row, auto i) { return row.joints[i]; })},
@@ -90,17 +90,21 @@ std::vector<TrajectoryRow> TrajectoryPage::shown() const {
   return rows;
 }
 
-std::string TrajectoryPage::html(std::string_view summary) const {
+std::string TrajectoryPage::json(std::string_view summary) const {
   const Rows rows = shown();
   std::string text(summary);
   if (stride_ > 1) text += fmt::format("; one row of {} is shown", stride_);
-  const json data{{"schema", "morepro.trajectory_page/1"},
+  const Json data{{"schema", "morepro.trajectory_page/1"},
                   {"summary", text},
                   {"joints", joints_json(job_.chain.table)},
                   {"points_m", points_json(job_)},
                   {"has_error", method_of(job_) == InverseMethod::kClik},
                   {"rows", rows_json(rows, job_.chain.table.count)}};
-  return page_html(k_kinematics_page, data.dump(-1, ' ', false, json::error_handler_t::replace));
+  return data.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string TrajectoryPage::html(std::string_view summary) const {
+  return page_html(k_kinematics_page, json(summary));
 }
 
 }  // namespace morepro::host

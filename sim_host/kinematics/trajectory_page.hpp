@@ -14,7 +14,9 @@ class TrajectoryPage {
   explicit TrajectoryPage(const KinematicsJob& job);
 
   void add(const TrajectoryRow& row);
-  /// The page, one HTML file. `summary` is its one line of text.
+  /// What the page shows. `summary` is its one line of text.
+  [[nodiscard]] std::string json(std::string_view summary) const;
+  /// The page, one HTML file.
   [[nodiscard]] std::string html(std::string_view summary) const;
 
  private:

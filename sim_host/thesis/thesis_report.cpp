@@ -5,6 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim_host/kinematics/trajectory_page.hpp"
+#include "sim_host/page/page.hpp"
+#include "sim_host/thesis/demonstration_path.hpp"
+
 namespace morepro::host::thesis {
 namespace {
 
@@ -63,6 +67,14 @@ json json_of(const BankTrialRow& row) {
           {"mean_error_mm", row.mean_error_mm}};
 }
 
+json document_of(const std::vector<Figure>& figures, const std::vector<BankTrialRow>& bank,
+                 bool with_curves) {
+  json result{{"schema", "morepro.thesis/1"}, {"figures", json::array()}, {"bank", json::array()}};
+  for (const Figure& figure : figures) result["figures"].push_back(json_of(figure, with_curves));
+  for (const BankTrialRow& row : bank) result["bank"].push_back(json_of(row));
+  return result;
+}
+
 std::string time_text(double ms) { return std::isfinite(ms) ? fmt::format("{:.1f} ms", ms) : "never"; }
 
 }  // namespace
@@ -98,12 +110,17 @@ std::string bank_text(const std::vector<BankTrialRow>& rows, int runs) {
   return text;
 }
 
-std::string thesis_json(const std::vector<Figure>& figures, const std::vector<BankTrialRow>& bank,
-                        bool with_curves) {
-  json result{{"schema", "morepro.thesis/1"}, {"figures", json::array()}, {"bank", json::array()}};
-  for (const Figure& figure : figures) result["figures"].push_back(json_of(figure, with_curves));
-  for (const BankTrialRow& row : bank) result["bank"].push_back(json_of(row));
-  return result.dump(with_curves ? -1 : 2) + "\n";
+std::string thesis_json(const std::vector<Figure>& figures, const std::vector<BankTrialRow>& bank) {
+  return document_of(figures, bank, false).dump(2) + "\n";
+}
+
+std::string thesis_page(const std::vector<Figure>& figures, const std::vector<BankTrialRow>& bank) {
+  json data = document_of(figures, bank, true);
+  const KinematicsJob job = demonstration_path();
+  TrajectoryPage animation(job);
+  compute_trajectory(job, [&](const TrajectoryRow& row) { animation.add(row); });
+  data["animation"] = json::parse(animation.json(""));
+  return page_html(k_thesis_page, data.dump());
 }
 
 }  // namespace morepro::host::thesis

@@ -12,8 +12,10 @@ std::string figures_text(const std::vector<Figure>& figures);
 /// Rules of decision beside each other, over noise and wrong datasheets.
 std::string bank_text(const std::vector<BankTrialRow>& rows, int runs);
 
-/// {"schema": "morepro.thesis/1", "figures": [..], "bank": [..]}, compact; with the curves for a page.
-std::string thesis_json(const std::vector<Figure>& figures, const std::vector<BankTrialRow>& bank,
-                        bool with_curves);
+/// {"schema": "morepro.thesis/1", "figures": [..], "bank": [..]}
+std::string thesis_json(const std::vector<Figure>& figures, const std::vector<BankTrialRow>& bank);
+/// The page, one HTML file: the same with the curves, and the machine of figure 18. The program must have its
+/// pages (why_no_page).
+std::string thesis_page(const std::vector<Figure>& figures, const std::vector<BankTrialRow>& bank);
 
 }  // namespace morepro::host::thesis

@@ -1,7 +1,7 @@
 const byId = (id) => document.getElementById(id);
 
-/** Buttons, slider and keys. */
-export function addControls(player, view) {
+/** Buttons, slider, and keys while the focus is in `place`. */
+export function addControls(place, player, view) {
   const [play, time, clock, speed] = ["play", "time", "clock", "speed"].map(byId);
   time.min = player.start;
   time.max = player.end;
@@ -16,7 +16,7 @@ export function addControls(player, view) {
   });
   byId("fit").addEventListener("click", () => view?.fit());
   byId("fit").disabled = !view;
-  document.addEventListener("keydown", (event) => {
+  place.addEventListener("keydown", (event) => {
     if (event.target.matches("select, button, input")) return;
     const step = (player.end - player.start) / 100;
     const actions = { " ": () => player.toggle(), ArrowLeft: () => player.seek(player.time - step),

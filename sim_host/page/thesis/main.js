@@ -2,10 +2,11 @@ import "../shared/theme.css";
 import "./style.css";
 import { addChart } from "../shared/chart.js";
 import { pageData } from "../shared/data.js";
+import { addMachinePanel } from "../kinematics/panel.js";
 import { rangeText, tableOf } from "./tables.js";
 
 const HEIGHT = 230;
-const { figures, bank } = pageData();
+const { figures, bank, animation } = pageData();
 
 const COMPARISON = [
   ["quantity", (row) => (row.unit === "1" ? row.quantity : `${row.quantity}, ${row.unit}`)],
@@ -54,7 +55,19 @@ function addFigure(figure) {
   addText(section, figure.remark);
 }
 
-figures.forEach(addFigure);
+/** Figure 18 is the machine itself. */
+function addAnimation() {
+  const section = addSection("figure-18", 18, "Figure 18 (3.4): Trajectory in the operational space travelled by the robot");
+  section.classList.add("wide");
+  const { player } = addMachinePanel(section, animation);
+  addText(section, "The path of figure 13, which the tool follows by the joints of figure 17: the picture is computed from them.");
+  player.seek(player.start);
+}
+
+for (const figure of figures) {
+  addFigure(figure);
+  if (figure.figure === 17) addAnimation();
+}
 if (bank.length > 0) {
   const section = addSection("bank", "bank", "Filter bank and decision (4.4)");
   section.classList.add("wide");
