@@ -19,57 +19,47 @@ constexpr double kPeriodS = 1.0e-4;
 constexpr int kSubSteps = 5;
 constexpr double kVoltage = 48.0, kToolDegc = 500.0;
 
+/// What of the real machine is not as stated.
+using Change = void (*)(MachineParameters& machine, double& tool_degc);
+
 struct Condition {
-  std::string_view machine;
   double noise = 1.0;
   std::string_view mismatch;
-  void (*change)(MonitorConfiguration&, double& tool_degc) = nullptr;  ///< of the real machine
+  Change change = nullptr;
 };
 
-constexpr auto kAsStated = nullptr;
-using Change = void (*)(MonitorConfiguration&, double&);
-constexpr Change kTorqueConstant1 = [](MonitorConfiguration& c, double&) {
-  c.machine.spindle.torque_constant_nm_a *= 1.01;
-};
-constexpr Change kTorqueConstant5 = [](MonitorConfiguration& c, double&) {
-  c.machine.spindle.torque_constant_nm_a *= 1.05;
-};
-constexpr Change kResistance5 = [](MonitorConfiguration& c, double&) {
-  c.machine.spindle.resistance_ohm *= 1.05;
-};
-constexpr Change kBackEmf2 = [](MonitorConfiguration& c, double&) {
-  c.machine.spindle.back_emf_constant_vs_rad *= 1.02;
-};
-constexpr Change kFriction5 = [](MonitorConfiguration& c, double&) {
-  c.machine.spindle.viscous_friction_nms_rad *= 1.05;
-};
-constexpr Change kInertia20 = [](MonitorConfiguration& c, double&) { c.machine.spindle.inertia_kgm2 *= 1.2; };
-constexpr Change kHotter20 = [](MonitorConfiguration&, double& tool_degc) { tool_degc += 20.0; };
+constexpr std::array kConditions{
+    Condition{1.0, "", nullptr},
+    Condition{10.0, "", nullptr},
+    Condition{30.0, "", nullptr},
+    Condition{1.0, "Kt + 1 %", [](MachineParameters& m, double&) { m.spindle.torque_constant_nm_a *= 1.01; }},
+    Condition{1.0, "Kt + 5 %", [](MachineParameters& m, double&) { m.spindle.torque_constant_nm_a *= 1.05; }},
+    Condition{1.0, "R + 5 %", [](MachineParameters& m, double&) { m.spindle.resistance_ohm *= 1.05; }},
+    Condition{1.0, "Kv + 2 %",
+              [](MachineParameters& m, double&) { m.spindle.back_emf_constant_vs_rad *= 1.02; }},
+    Condition{1.0, "Att + 5 %",
+              [](MachineParameters& m, double&) { m.spindle.viscous_friction_nms_rad *= 1.05; }},
+    Condition{1.0, "In + 20 %", [](MachineParameters& m, double&) { m.spindle.inertia_kgm2 *= 1.2; }},
+    Condition{1.0, "tool + 20 K, unmeasured", [](MachineParameters&, double& degc) { degc += 20.0; }}};
 
-constexpr std::array kVariations{
-    std::pair{1.0, std::pair{std::string_view(""), Change(kAsStated)}},
-    std::pair{10.0, std::pair{std::string_view(""), Change(kAsStated)}},
-    std::pair{30.0, std::pair{std::string_view(""), Change(kAsStated)}},
-    std::pair{1.0, std::pair{std::string_view("Kt + 1 %"), kTorqueConstant1}},
-    std::pair{1.0, std::pair{std::string_view("Kt + 5 %"), kTorqueConstant5}},
-    std::pair{1.0, std::pair{std::string_view("R + 5 %"), kResistance5}},
-    std::pair{1.0, std::pair{std::string_view("Kv + 2 %"), kBackEmf2}},
-    std::pair{1.0, std::pair{std::string_view("Att + 5 %"), kFriction5}},
-    std::pair{1.0, std::pair{std::string_view("In + 20 %"), kInertia20}},
-    std::pair{1.0, std::pair{std::string_view("tool + 20 K, unmeasured"), kHotter20}}};
+/// A built-in machine with its chip loads before and after the change, on the grid.
+struct Subject {
+  std::string_view name;
+  MonitorConfiguration configuration;
+  double first_mm;
+  double second_mm;
+};
+
+constexpr std::array kSubjects{Subject{"thesis", thesis_configuration(), 0.6, 0.3},
+                               Subject{"reference", reference_configuration(), 0.05, 0.04}};
 
 constexpr std::array<std::string_view, 4> kRules{"thesis, integral", "Bayes, floor", "Markov", "continuous"};
 constexpr std::size_t kContinuous = 3;
 
-MonitorConfiguration configuration_of(const Condition& condition) {
-  MonitorConfiguration c = condition.machine == "thesis" ? thesis_configuration() : reference_configuration();
+MonitorConfiguration configuration_of(const Subject& subject, const Condition& condition) {
+  MonitorConfiguration c = subject.configuration;
   for (SensorNoise& sensor : c.sensors.by_channel) sensor.noise *= condition.noise;
   return c;
-}
-
-/// Chip load before and after the change, on the grid.
-std::pair<double, double> chip_loads_of(const Condition& condition) {
-  return condition.machine == "thesis" ? std::pair{0.6, 0.3} : std::pair{0.05, 0.04};
 }
 
 /// The real machine: integrated below the sampling period, with the noise of its sensors.
@@ -115,8 +105,11 @@ struct Score {
 
 class Trial {
  public:
-  Trial(const Condition& condition, const BankTrialOptions& options)
-      : condition_(condition), options_(options), stated_(configuration_of(condition)) {}
+  Trial(const Subject& subject, const Condition& condition, const BankTrialOptions& options)
+      : subject_(subject),
+        condition_(condition),
+        options_(options),
+        stated_(configuration_of(subject, condition)) {}
 
   std::vector<BankTrialRow> rows() {
     for (int run = 0; run < options_.runs; ++run)
@@ -133,17 +126,16 @@ class Trial {
   void run_once(std::uint64_t seed) {
     MonitorConfiguration real = stated_;
     double tool_degc = kToolDegc;
-    if (condition_.change != nullptr) condition_.change(real, tool_degc);
+    if (condition_.change != nullptr) condition_.change(real.machine, tool_degc);
     RealMachine machine(real, seed);
     machine.input.tool_temperature_degc = tool_degc;
     const auto trackers = trackers_for(machine.measure());
     const float thermal = ContactLaw<float>(stated_.machine).thermal_factor(static_cast<float>(kToolDegc));
-    const auto [first, second] = chip_loads_of(condition_);
     for (int k = 0; k < kFrames; ++k) {
       if (k == kContact)
         for (const auto& tracker : trackers) tracker->start_cut();
       machine.input.contact = k < kContact ? 0.0 : 1.0;
-      machine.input.chip_load_mm = k < kChange ? first : second;
+      machine.input.chip_load_mm = k < kChange ? subject_.first_mm : subject_.second_mm;
       machine.step();
       const SpindleMeasurement<float> y = machine.measure();
       const float acceleration = machine.acceleration();
@@ -198,7 +190,7 @@ class Trial {
     double right = 0.0;
     for (int k = kFrames - kEnd; k < kFrames; ++k) right += score.right[static_cast<std::size_t>(k)];
     const double counted = static_cast<double>(options_.runs) * kEnd;
-    return {.machine = std::string(condition_.machine),
+    return {.machine = std::string(subject_.name),
             .noise = condition_.noise,
             .mismatch = std::string(condition_.mismatch),
             .rule = std::string(kRules[rule]),
@@ -208,7 +200,8 @@ class Trial {
             .mean_error_mm = score.error_sum_mm / counted};
   }
 
-  Condition condition_;
+  const Subject& subject_;
+  const Condition& condition_;
   const BankTrialOptions& options_;
   MonitorConfiguration stated_;
   std::array<Score, kRules.size()> score_{};
@@ -219,12 +212,12 @@ class Trial {
 std::vector<BankTrialRow> run_bank_trial(const BankTrialOptions& options) {
   std::vector<BankTrialRow> rows;
   double done = 0.0;
-  for (const std::string_view machine : {"thesis", "reference"}) {
-    for (const auto& [noise, variation] : kVariations) {
-      const Condition condition{machine, noise, variation.first, variation.second};
-      for (BankTrialRow& row : Trial(condition, options).rows()) rows.push_back(std::move(row));
+  for (const Subject& subject : kSubjects) {
+    for (const Condition& condition : kConditions) {
+      for (BankTrialRow& row : Trial(subject, condition, options).rows()) rows.push_back(std::move(row));
       done += 1.0;
-      if (options.on_progress) options.on_progress(machine, done / (2.0 * kVariations.size()));
+      if (options.on_progress)
+        options.on_progress(subject.name, done / static_cast<double>(kSubjects.size() * kConditions.size()));
     }
   }
   return rows;

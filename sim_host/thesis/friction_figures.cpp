@@ -2,52 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "lib/plant/built_in_machines.hpp"
 #include "lib/plant/friction_models.hpp"
-#include "sim_host/thesis/figure.hpp"
+#include "sim_host/thesis/machining_figures.hpp"
+#include "sim_host/thesis/sweep.hpp"
 
 namespace morepro::host::thesis {
 namespace {
 
-// What the thesis prints: the range of chip loads in section 4.3, the temperatures of figure 25.
-constexpr Range kChipLoadMm{0.1, 1.1};
+// The temperatures of figure 25.
 constexpr Range kTemperatureDegc{480.0, 550.0};
-constexpr int kPoints = 121;
-
-std::vector<double> steps(Range range) {
-  std::vector<double> values;
-  for (int k = 0; k < kPoints; ++k)
-    values.push_back(range.low + (range.high - range.low) * k / (kPoints - 1));
-  return values;
-}
-
-Curve curve(std::string label, const std::vector<double>& x, const std::function<double(double)>& f) {
-  Curve result{.label = std::move(label), .y = {}};
-  for (const double value : x) result.y.push_back(f(value));
-  return result;
-}
-
-/// Where a falling function takes a value, by bisection.
-double where(const std::function<double(double)>& f, double value, Range range) {
-  for (int k = 0; k < 200; ++k) {
-    const double middle = 0.5 * (range.low + range.high);
-    (f(middle) > value ? range.low : range.high) = middle;
-  }
-  return range.low;
-}
-
-Range single(double value) { return {value, value}; }
-
-/// Equation 12 by cutting speed in m/min and feed in mm per revolution.
-double equation12(double cutting_speed, double feed) {
-  static const MachineParameters machine = reference_machine();
-  static const FrictionModels<double> models(machine);
-  static const ContactLaw<double> law(machine);
-  return models.machining_speed(cutting_speed / law.cutting_speed_scale(), feed / machine.tool.teeth).beta;
-}
-
 /// Equation 15 to the letter.
 double equation15(double spindle_speed, double chip_load_mm) {
   static const FrictionModels<double> models(thesis_machine());
@@ -65,90 +30,12 @@ double thermal(double degc, double exponent = thesis_machine().thermal.exponent)
   return FrictionModels<double>(machine).temperature(degc).beta;
 }
 
-constexpr Range kSpeedRange{ContactRange::kLowestCuttingSpeed, ContactRange::kHighestCuttingSpeed};
-constexpr Range kFeedRange{ContactRange::kLowestFeed, ContactRange::kHighestFeed};
-
-Chart equation12_chart() {
-  Chart chart{.title = "Friction coefficient",
-              .unit = "1",
-              .x_name = "cutting speed, m/min",
-              .x = steps(kSpeedRange),
-              .curves = {}};
-  for (const double feed : {kFeedRange.low, 0.2, 0.33, kFeedRange.high})
-    chart.curves.push_back(
-        curve(fmt::format("{:g} mm/rev", feed), chart.x, [feed](double v) { return equation12(v, feed); }));
-  return chart;
-}
-
-Figure figure21() {
-  Figure figure{.number = 21, .section = "4.2.2", .title = "Friction coefficient by cutting speed"};
-  figure.charts = {equation12_chart()};
-  const double low = equation12(kSpeedRange.high, kFeedRange.low),
-               high = equation12(kSpeedRange.low, kFeedRange.low);
-  figure.comparisons = {
-      {.quantity = "coefficient at the smallest feed", .unit = "1", .printed = {}, .ours = Range{low, high}}};
-  figure.remark =
-      "The figure is cited from another work: measurements, dry, wet and with minimum lubrication. Equation "
-      "12 is the "
-      "one formula that the thesis takes from it; the other curves have no formula and are not recomputed.";
-  return figure;
-}
-
 /// The literal equation 15 at the ends of figure 24, and where it takes the printed bounds.
 struct LiteralRange {
-  double slowest = where([](double n) { return equation15(n, kChipLoadMm.low); }, 0.77, {1.0, 1000.0});
-  double fastest = where([](double n) { return equation15(n, kChipLoadMm.high); }, 0.22, {1.0, 1000.0});
+  double slowest = where([](double n) { return equation15(n, kPrintedChipLoadMm.low); }, 0.77, {1.0, 1000.0});
+  double fastest =
+      where([](double n) { return equation15(n, kPrintedChipLoadMm.high); }, 0.22, {1.0, 1000.0});
 };
-
-Figure figure22() {
-  const ContactLaw<double> literal(thesis_machine());
-  MachineParameters machine = thesis_machine();
-  machine.contact.form = ContactForm::kConsistent;
-  const ContactLaw<double> consistent(machine);
-  Figure figure{.number = 22, .section = "4.2.2", .title = "Machining speeds (equations 13 and 14)"};
-  Chart chart{.title = "Cutting speed",
-              .unit = "m/min",
-              .x_name = "spindle speed, rad/s",
-              .x = steps({0.0, 250.0}),
-              .curves = {}};
-  chart.curves = {
-      curve("as printed, n in rad/s", chart.x, [&](double n) { return literal.cutting_speed_scale() * n; }),
-      curve("consistent", chart.x, [&](double n) { return consistent.cutting_speed_scale() * n; })};
-  figure.charts = {chart};
-  const double ratio = consistent.cutting_speed_scale() / literal.cutting_speed_scale();
-  const double legal_low = kFeedRange.low / machine.tool.teeth,
-               legal_high = kFeedRange.high / machine.tool.teeth;
-  figure.comparisons = {{.quantity = "cutting speed over the printed one",
-                         .unit = "1",
-                         .printed = single(1.0),
-                         .ours = single(ratio)},
-                        {.quantity = "chip loads inside equation 12's range",
-                         .unit = "mm",
-                         .printed = kChipLoadMm,
-                         .ours = Range{legal_low, legal_high}}};
-  figure.remark = fmt::format(
-      "Equation 13 wants revolutions per minute; with rad/s the cutting speed is {:.2f} times too small. "
-      "Equation 14 is "
-      "in mm/min, equation 12 wants mm per revolution: {:g} teeth leave {:.3f} .. {:.3f} mm of chip load.",
-      ratio, machine.tool.teeth, legal_low, legal_high);
-  return figure;
-}
-
-Figure figure23() {
-  Figure figure{
-      .number = 23, .section = "4.3", .title = "Friction by feed rate and cutting speed (equation 12)"};
-  figure.charts = {equation12_chart()};
-  std::vector<double> values;
-  for (const double speed : steps(kSpeedRange))
-    for (const double feed : steps(kFeedRange)) values.push_back(equation12(speed, feed));
-  const Range ours = range_of(values);
-  figure.comparisons = {{.quantity = "coefficient", .unit = "1", .printed = Range{0.15, 0.45}, .ours = ours}};
-  figure.remark = fmt::format(
-      "On the stated box of speeds and feeds equation 12 gives {:.4f} .. {:.4f}; the printed range looks "
-      "like the limits of an axis.",
-      ours.low, ours.high);
-  return figure;
-}
 
 Figure figure24() {
   Figure figure{.number = 24, .section = "4.3", .title = "Friction by spindle speed (equation 15)"};
@@ -162,7 +49,8 @@ Figure figure24() {
     chart.curves.push_back(
         curve(fmt::format("{:g} mm", chip), chart.x, [chip](double n) { return equation15(n, chip); }));
   figure.charts = {chart};
-  const Range ours{equation15(speeds.high, kChipLoadMm.high), equation15(speeds.low, kChipLoadMm.low)};
+  const Range ours{equation15(speeds.high, kPrintedChipLoadMm.high),
+                   equation15(speeds.low, kPrintedChipLoadMm.low)};
   const LiteralRange bounds;
   const auto middle = [](double n) { return equation15(n, 0.5); };
   figure.comparisons = {
@@ -253,7 +141,7 @@ Figure figure26() {
 }  // namespace
 
 std::vector<Figure> friction_figures() {
-  return {figure21(), figure22(), figure23(), figure24(), figure25(), figure26()};
+  return {cited_figure(), speeds_figure(), equation12_figure(), figure24(), figure25(), figure26()};
 }
 
 }  // namespace morepro::host::thesis

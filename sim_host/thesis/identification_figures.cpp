@@ -6,6 +6,7 @@
 #include "sim_host/replay/names.hpp"
 #include "sim_host/thesis/figure.hpp"
 #include "sim_host/thesis/identification_run.hpp"
+#include "sim_host/thesis/sweep.hpp"
 
 namespace morepro::host::thesis {
 namespace {
@@ -43,8 +44,6 @@ struct Runs {
   ParameterValues truth = parameters_of(thesis_machine());
   SteadyState steady = steady_state();
 };
-
-Range single(double value) { return {value, value}; }
 
 Comparison library_comparison(const std::string& quantity, const std::string& unit,
                               const ParameterEstimate& estimate, double truth, std::optional<Range> printed) {

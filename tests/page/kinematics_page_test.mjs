@@ -7,10 +7,9 @@ import { columnsOf, Folder } from "./program.mjs";
 const PATH = "x_m,y_m,z_m,roll_deg,duration_s\n0.3,0.1,0.4,0,\n0.5,0.15,0.5,30,2\n0.45,0.3,0.55,-15,1.5\n";
 
 // Eight joints of both kinds, with offsets and twists in every place where a row of the table can have them.
-const ARM = ["revolute 0 0.3 90", "revolute 0.4 0 0", "prismatic 0.1 0.2 -90", "revolute 0 0.1 90", "revolute 0.3 0.05 -90",
-  "prismatic 0.05 0.1 90", "revolute 0.1 0 -90", "revolute 0 0.08 0"]
-  .map((row) => row.split(" "))
-  .map(([kind, a, d, alpha]) => `[[joint]]\nkind = "${kind}"\na_m = ${a}.0\nd_m = ${d}.0\nalpha_deg = ${alpha}\n`.replace(/(\.\d+)\.0/g, "$1"))
+const ARM = [["revolute", 0, 0.3, 90], ["revolute", 0.4, 0, 0], ["prismatic", 0.1, 0.2, -90], ["revolute", 0, 0.1, 90],
+  ["revolute", 0.3, 0.05, -90], ["prismatic", 0.05, 0.1, 90], ["revolute", 0.1, 0, -90], ["revolute", 0, 0.08, 0]]
+  .map(([kind, a, d, alpha]) => `[[joint]]\nkind = "${kind}"\na_m = ${a}\nd_m = ${d}\nalpha_deg = ${alpha}\n`)
   .join("");
 const ARM_PATH = "x_m,y_m,z_m,duration_s\n0.9,0.2,0.5,\n0.6,0.5,0.7,1\n0.5,-0.4,0.4,1.5\n";
 
@@ -50,7 +49,8 @@ async function assertFollows(page, rows, names) {
     const tool = await shown(page, "tool");
     ["x_m", "y_m", "z_m"].forEach((name, i) => {
       const reached = rows[name][row] - rows[`error_${name}`][row];
-      assert.ok(Math.abs(tool[i] - reached) < TOLERANCE_M, `${name} at ${rows.time_s[row]} s: ${tool[i]}, not ${reached}`);
+      assert.ok(Math.abs(tool[i] - reached) < TOLERANCE_M,
+        `${name} at ${rows.time_s[row]} s: ${tool[i]}, not ${reached}`);
     });
     const joints = await shown(page, "joints");
     names.forEach((name, i) => assert.ok(Math.abs(joints[i] - rows[name][row]) < TOLERANCE_M, name));

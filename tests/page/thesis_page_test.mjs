@@ -51,7 +51,8 @@ test("the machine of figure 18 moves along the path", async () => {
   await page.focus("#view");
   await page.keyboard.press("End");
   const tool = await page.$$eval("#tool td.number", (cells) => cells.map((cell) => Number(cell.dataset.value)));
-  const last = await page.$$eval("#figure-14 .chart:first-of-type .u-value", (values) => values.slice(1).map((value) => Number(value.textContent)));
+  const last = await page.$$eval("#figure-14 .chart:first-of-type .u-value", (values) =>
+    values.slice(1).map((value) => Number(value.textContent)));
   // The CLIK lags by h a/(2 K), 2.2e-6 m while the path's end brakes; the legend has six digits.
   tool.forEach((value, i) => assert.ok(Math.abs(value - last[i]) < 5e-6, `${tool} and ${last}`));
   assert.deepEqual(faults, []);
@@ -60,7 +61,8 @@ test("the machine of figure 18 moves along the path", async () => {
 test("the table shows the values of the JSON", async () => {
   const { page } = await openPage(browser, folder.file("page.html"));
   const { figures } = JSON.parse(folder.read("values.json"));
-  const cells = await page.$$eval("#figure-25 .table tbody tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  const cells = await page.$$eval("#figure-25 .table tbody tr", (rows) =>
+    rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
   const { comparisons } = figures.find(({ figure }) => figure === 25);
   comparisons.forEach(({ quantity, ours, difference }, i) => {
     assert.equal(cells[i][0], quantity);

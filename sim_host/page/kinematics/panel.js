@@ -11,7 +11,8 @@ const THICKNESS = 1 / 55;
 
 const MARKUP = `
 <div id="view" tabindex="0" role="img" aria-label="The machine in 3-D; drag to orbit, wheel to zoom"></div>
-<p id="no-view" class="warning" hidden>This browser shows no 3-D (WebGL is off); the curves and values below work without it.</p>
+<p id="no-view" class="warning" hidden>
+This browser shows no 3-D (WebGL is off); the curves and values below work without it.</p>
 <div class="controls">
 <button id="play" class="primary" type="button">Play</button>
 <input id="time" type="range" min="0" step="any" value="0" aria-label="Time in s">
@@ -49,7 +50,8 @@ function hintOf(view) {
   const keys = "With the picture in focus space plays, arrow keys step, Home and End go to the ends.";
   if (!view) return keys;
   const square = Number(view.gridStep_m.toPrecision(1));
-  return `Drag to orbit, two fingers or the right button to move, wheel to zoom; one square of the grid is ${square} m. ${keys}`;
+  const mouse = "Drag to orbit, two fingers or the right button to move, wheel to zoom";
+  return `${mouse}; one square of the grid is ${square} m. ${keys}`;
 }
 
 /** The machine in 3-D with its controls and values; one per page. Begins when the player is told a time. */

@@ -15,6 +15,10 @@ const COMPARISON = [
   ["difference", (row) => row.difference],
 ];
 const milliseconds = (value) => (value === null ? "never" : value.toFixed(1));
+const BANK_TEXT =
+  "The thesis's rule, the smallest integral of the errors of angular acceleration and current, beside likelihoods and " +
+  "the continuous chip load. Times in ms are those from which 95 % of the runs are right: nearer to the true chip " +
+  "load than to any other hypothesis.";
 const BANK = [
   ["machine", (row) => row.machine],
   ["noise", (row) => `${row.noise} x`, true],
@@ -57,10 +61,12 @@ function addFigure(figure) {
 
 /** Figure 18 is the machine itself. */
 function addAnimation() {
-  const section = addSection("figure-18", 18, "Figure 18 (3.4): Trajectory in the operational space travelled by the robot");
+  const section = addSection("figure-18", 18,
+    "Figure 18 (3.4): Trajectory in the operational space travelled by the robot");
   section.classList.add("wide");
   const { player } = addMachinePanel(section, animation);
-  addText(section, "The path of figure 13, which the tool follows by the joints of figure 17: the picture is computed from them.");
+  addText(section,
+    "The path of figure 13, which the tool follows by the joints of figure 17: the picture is computed from them.");
   player.seek(player.start);
 }
 
@@ -71,6 +77,6 @@ for (const figure of figures) {
 if (bank.length > 0) {
   const section = addSection("bank", "bank", "Filter bank and decision (4.4)");
   section.classList.add("wide");
-  addText(section, "The thesis's rule, the smallest integral of the errors of angular acceleration and current, beside likelihoods and the continuous chip load. Times in ms are those from which 95 % of the runs are right: nearer to the true chip load than to any other hypothesis.");
+  addText(section, BANK_TEXT);
   section.append(tableOf(BANK, bank));
 }
