@@ -13,11 +13,6 @@ constexpr double kVoltageSwing = 6.0, kFastS = 1.0e-3, kSlowS = 20.0e-3;
 constexpr double kForceSwing = 4.0, kForceS = 30.0e-3;
 constexpr std::uint64_t kContactFrames = 1000;
 
-// Noise of the measured derivatives that the thesis does not state: of a good accelerometer on the feed, and
-// of a current that is differentiated over some samples.
-constexpr double kFeedAccelerationNoise = 0.3;
-constexpr double kCurrentRateNoise = 2.0e4;
-
 }  // namespace
 
 DrivenMachine::DrivenMachine(Drive drive_kind, std::uint64_t seed)
@@ -61,10 +56,9 @@ PlantState<double> DrivenMachine::measured_state() {
 
 PlantDerivative<double> DrivenMachine::measured_derivative() {
   const auto rate = integrator_.plant().derivative(state_, input_);
-  return {
-      rate.acceleration_rad_s2 + configuration_.sensors[Channel::kSpindleAcceleration].noise * noise_.next(),
-      rate.feed_acceleration_m_s2 + kFeedAccelerationNoise * noise_.next(),
-      rate.current_rate_a_s + kCurrentRateNoise * noise_.next()};
+  return {rate.acceleration_rad_s2 + kAccelerationNoiseRadS2 * noise_.next(),
+          rate.feed_acceleration_m_s2 + kFeedAccelerationNoiseMS2 * noise_.next(),
+          rate.current_rate_a_s + kCurrentRateNoiseAS * noise_.next()};
 }
 
 }  // namespace morepro::host::thesis

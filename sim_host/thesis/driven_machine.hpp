@@ -12,6 +12,11 @@ namespace morepro::host::thesis {
 class DrivenMachine {
  public:
   static constexpr double kPeriodS = 1.0e-4;
+  // Standard deviations of the measured derivatives, which the thesis does not state: accelerometers on
+  // spindle and feed, and a current that is differentiated over some samples.
+  static constexpr double kAccelerationNoiseRadS2 = 1.0e3;
+  static constexpr double kFeedAccelerationNoiseMS2 = 0.3;
+  static constexpr double kCurrentRateNoiseAS = 2.0e4;
 
   DrivenMachine(Drive drive, std::uint64_t seed);
 

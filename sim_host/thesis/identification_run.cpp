@@ -14,7 +14,6 @@ constexpr std::uint64_t kShownEvery = 100;
 // Of the printed filter, relative to the machine's true values; the thesis states neither.
 constexpr double kStartFraction = 0.3;
 constexpr double kWalkFraction = 1.0e-5;
-constexpr double kAccelerationNoise = 1.0e3, kFeedAccelerationNoise = 0.3, kCurrentRateNoise = 2.0e4;
 
 std::uint64_t frames_of(const IdentificationSetting& setting) {
   return static_cast<std::uint64_t>(setting.duration_s / DrivenMachine::kPeriodS + 0.5);
@@ -66,7 +65,9 @@ IdentificationTrace run_printed_filter(const IdentificationSetting& setting) {
   const Filter::Covariance square = size.cwiseAbs2().asDiagonal();
   Filter filter(machine, Eigen::Map<const Filter::Theta>(setting.start.data()),
                 square * (kStartFraction * kStartFraction), square * (kWalkFraction * kWalkFraction),
-                Filter::Output(kAccelerationNoise, kFeedAccelerationNoise, kCurrentRateNoise).cwiseAbs2());
+                Filter::Output(DrivenMachine::kAccelerationNoiseRadS2,
+                               DrivenMachine::kFeedAccelerationNoiseMS2, DrivenMachine::kCurrentRateNoiseAS)
+                    .cwiseAbs2());
   DrivenMachine driven(setting.drive, setting.seed);
   IdentificationTrace trace;
   for (std::uint64_t frame = 0; frame <= frames_of(setting); ++frame) {
