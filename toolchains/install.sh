@@ -19,13 +19,16 @@ as_root() {
   if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }
 
+# Names of what is installed, what installed packages stand in for included (a nodejs that brings its own npm).
+installed_names() {
+  dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' | sed -n 's/^installed //p' | tr ', ' '\n\n' | sort -u
+}
+
 # install_missing FILE...: Debian packages, one a line.
 install_missing() {
   command -v dpkg-query >/dev/null || return 0
-  local package missing=()
-  while read -r package; do
-    dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
-  done < <(cat -- "$@" | grep -v '^#')
+  local missing=()
+  mapfile -t missing < <(cat -- "$@" | grep -v '^#' | sort -u | comm -23 - <(installed_names))
   [ "${#missing[@]}" -gt 0 ] || return 0
   echo "Installing ${missing[*]} ..." >&2
   quietly "apt-get update" as_root env DEBIAN_FRONTEND=noninteractive apt-get update

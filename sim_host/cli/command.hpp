@@ -14,6 +14,7 @@ void add_diagnose(CLI::App& program);
 void add_identify(CLI::App& program);
 void add_effects(CLI::App& program);
 void add_kinematics(CLI::App& program);
+void add_thesis(CLI::App& program);
 
 /// A number in [lowest, highest]; NaN is refused as well.
 CLI::Validator between(double lowest, double highest, const std::string& unit);

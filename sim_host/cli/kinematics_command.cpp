@@ -13,6 +13,7 @@
 #include "sim_host/kinematics/path_csv.hpp"
 #include "sim_host/kinematics/pose_report.hpp"
 #include "sim_host/kinematics/trajectory_csv.hpp"
+#include "sim_host/kinematics/trajectory_page.hpp"
 #include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/output_file.hpp"
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   morepro kinematics path.csv --out joints.csv
+  morepro kinematics path.csv --report page.html      # the machine moving along the path, in a browser
   morepro kinematics path.toml --method clik --gain 50 --rate 1000 --out joints.csv
   morepro kinematics path.csv --chain arm.toml --out joints.csv
   morepro kinematics --forward 0.1 0.2 0.3 1.57
@@ -56,6 +58,7 @@ struct KinematicsArguments {
   std::string path;
   std::string chain;
   std::string out;
+  std::string report;
   std::string json;
   std::string method;
   double gain_per_s = 0.0;
@@ -98,26 +101,40 @@ std::string summary_text(const KinematicsJob& job, const TrajectorySummary& summ
   std::string text =
       fmt::format("{} segment{} in {:g} s, {} rows at {:g} Hz", summary.segments,
                   summary.segments == 1 ? "" : "s", summary.duration_s, summary.rows, job.inverse.rate_hz);
-  if (method_of(job) == InverseMethod::kClosedForm) return text + "; joints in closed form\n";
+  if (method_of(job) == InverseMethod::kClosedForm) return text + "; joints in closed form";
   text += fmt::format("; joints by CLIK, gain {:g}/s, largest error {:.3g} (m, rad)", job.inverse.gain_per_s,
                       summary.largest_error);
-  return text + (summary.passed_singularity ? ", damped beside a singularity\n" : "\n");
+  return text + (summary.passed_singularity ? ", damped beside a singularity" : "");
+}
+
+std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
 }
 
 void write_trajectory(const KinematicsArguments& arguments) {
-  if (arguments.out.empty())
-    throw UsageError("--out is missing; name the file for the joints, '-': standard output");
+  if (arguments.out.empty() && arguments.report.empty()) {
+    throw UsageError(
+        "--out or --report is missing; name the file for the joints (--out, '-': standard output) or for the "
+        "page that shows them (--report)");
+  }
   if (!arguments.json.empty())
     throw UsageError("--json belongs to --forward and --inverse; a path is written by --out");
   const KinematicsJob job = job_of(arguments);
-  OutputFile file(arguments.out);
+  std::optional<TrajectoryPage> page;
+  if (!arguments.report.empty()) page.emplace(job);
+  const auto out = open_if_asked(arguments.out);
+  const auto report = open_if_asked(arguments.report);
   std::optional<TrajectoryCsv> csv;
   const TrajectorySummary summary = compute_trajectory(job, [&](const TrajectoryRow& row) {
-    if (!csv) csv.emplace(file, job);
-    csv->write(row);
+    if (out && !csv) csv.emplace(*out, job);
+    if (csv) csv->write(row);
+    if (page) page->add(row);
   });
-  file.commit();
-  if (arguments.out != "-") fmt::print("{}", summary_text(job, summary));
+  const std::string text = summary_text(job, summary);
+  if (report) report->write(page->html(text));
+  if (out) out->commit();
+  if (report) report->commit();
+  if (arguments.out != "-" && arguments.report != "-") fmt::print("{}\n", text);
 }
 
 kinematics::JointVector<double> forward_joints(const KinematicsArguments& arguments,
@@ -174,9 +191,11 @@ void run(const KinematicsArguments& arguments) {
   if (jobs != 1)
     throw UsageError("give one of a path file, --forward and --inverse; see morepro kinematics --help");
   check_distinct({{"the path", arguments.path}, {"--chain", arguments.chain}},
-                 {{"--out", arguments.out}, {"--json", arguments.json}});
+                 {{"--out", arguments.out}, {"--json", arguments.json}, {"--report", arguments.report}});
   if (!arguments.path.empty()) return write_trajectory(arguments);
   if (!arguments.out.empty()) throw UsageError("--out belongs to a path; a single pose is written by --json");
+  if (!arguments.report.empty())
+    throw UsageError("--report belongs to a path; a single pose is written by --json");
   write_pose(arguments);
 }
 
@@ -189,6 +208,8 @@ void add_kinematics(CLI::App& program) {
       "joints along a path; the tool's pose from joints and back, for any chain of up to 8 joints");
   command->add_option("path", arguments->path, "points of the path, .csv or .toml");
   command->add_option("--out", arguments->out, "joint trajectory to write, CSV; '-': standard output");
+  command->add_option("--report", arguments->report,
+                      "page that shows the machine moving along the path (HTML, one file, no network)");
   command->add_option("--chain", arguments->chain, "own chain, .toml; by default the thesis's machine");
   command
       ->add_option("--method", arguments->method,

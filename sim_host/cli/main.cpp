@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   morepro::host::add_diagnose(program);
   morepro::host::add_effects(program);
   morepro::host::add_kinematics(program);
+  morepro::host::add_thesis(program);
   const std::string_view word = argc > 1 ? argv[1] : "-";
   if (word == "help") {
     fmt::print("{}", program.help());

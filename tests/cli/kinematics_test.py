@@ -40,6 +40,10 @@ def rows_of(path):
         return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
 
 
+def page_data(path):
+    return json.loads(path.read_text().split('id="data">', 1)[1].split("</script>", 1)[0])
+
+
 def golden_path_file(head):
     tables = [head, PLACEMENT]
     for (x, y, z, roll), duration in zip(POINTS, DURATIONS):
@@ -103,6 +107,30 @@ class Trajectories(ProgramTest):
         lines = self.must_do("kinematics", "path.csv", "--rate", "10", "--out", "-").stdout.splitlines()
         self.assertEqual(len(lines), 1 + 36)
         self.assertTrue(lines[0].startswith("time_s,d1_m,d2_m,d3_m,t4_rad,d1_m_s,"))
+
+
+class Pages(ProgramTest):
+    def test_a_page_holds_the_trajectory_beside_the_csv(self):
+        self.write("path.csv", PATH)
+        done = self.run_program("kinematics", "path.csv", "--report", "page.html", "--out", "joints.csv")
+        if "built without its report pages" in done.stderr:
+            self.assertEqual((done.returncode, self.files()), (1, ["path.csv"]))
+            return
+        data = page_data(self.folder / "page.html")
+        rows = rows_of(self.folder / "joints.csv")
+        self.assertEqual([joint["name"] for joint in data["joints"]], ["d1", "d2", "d3", "t4"])
+        self.assertEqual(data["rows"]["time_s"], [row["time_s"] for row in rows])
+        self.assertEqual(data["rows"]["joints"][3], [row["t4_rad"] for row in rows])
+
+    def test_a_long_path_is_thinned_and_keeps_its_end(self):
+        self.write("path.csv", PATH)
+        done = self.run_program("kinematics", "path.csv", "--rate", "10000", "--report", "page.html")
+        if "built without its report pages" in done.stderr:
+            return
+        times = page_data(self.folder / "page.html")["rows"]["time_s"]
+        self.assertTrue(2000 <= len(times) <= 4001, len(times))
+        self.assertEqual((times[0], times[-1]), (0.0, 3.5))
+        self.assertIn("one row of 16 is shown", (self.folder / "page.html").read_text())
 
 
 class SinglePoses(ProgramTest):
@@ -212,7 +240,9 @@ class Refusals(ProgramTest):
         for arguments in ([], ["path.csv"], ["path.csv", "--forward", "0", "0", "0", "0", "--out", "j.csv"],
                           ["path.txt", "--out", "j.csv"], ["--forward", "1", "2"], ["--inverse", "1", "2"],
                           ["--forward", "0", "0", "0", "nan"], ["--forward", "0", "0", "0", "0", "--out", "j.csv"],
-                          ["path.csv", "--out", "path.csv"], ["path.csv", "--out", "j.csv", "--method", "guess"]):
+                          ["--forward", "0", "0", "0", "0", "--report", "p.html"],
+                          ["path.csv", "--out", "path.csv"], ["path.csv", "--out", "p.csv", "--report", "p.csv"],
+                          ["path.csv", "--report", "path.csv"], ["path.csv", "--out", "j.csv", "--method", "guess"]):
             with self.subTest(arguments):
                 self.must_refuse(2, "kinematics", *arguments)
         self.assertEqual(self.files(), ["path.csv"])

@@ -1,0 +1,69 @@
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import "./chart.css";
+import { shown } from "./number.js";
+import { color, onThemeChange, seriesColor } from "./theme.js";
+
+const charts = [];
+
+function axis(options) {
+  const grid = { stroke: color("line"), width: 1 };
+  return { stroke: color("muted"), grid, ticks: grid, font: "12px system-ui", ...options };
+}
+
+/** The legend's values while nobody points anywhere; charts with a common time have that time's. */
+const LAST_VALUES = { hooks: { ready: (plot) => plot.setLegend({ idx: plot.data[0].length - 1 }) } };
+
+function optionsOf({ x, series, height, sync, plugins = [], scales = {} }, width) {
+  return {
+    width,
+    height,
+    plugins: sync ? plugins : [...plugins, LAST_VALUES],
+    scales: { x: { time: false }, ...scales },
+    cursor: { sync: sync ? { key: sync } : undefined, drag: { x: false, y: false }, points: { size: 7 } },
+    legend: { live: true },
+    axes: [axis({ size: 30 }), axis({ size: 66, space: 26, values: (_, ticks) => ticks.map((tick) => shown(tick)) })],
+    series: [
+      { label: x, value: (_, value) => shown(value, 6) },
+      ...series.map((one, index) => ({
+        label: one.label,
+        stroke: seriesColor(one.color ?? index),
+        width: one.points ? 0 : 2,
+        dash: one.dash,
+        points: { show: Boolean(one.points), size: 6, fill: seriesColor(one.color ?? index) },
+        spanGaps: false,
+        value: (_, value) => shown(value, 6),
+      })),
+    ],
+  };
+}
+
+/**
+ * A chart that follows the width of its place and the theme.
+ * `description`: {title, x, y, series: [{label, color?, dash?, points?}], height, sync?, plugins?}.
+ * `data`: uPlot's columns, x first.
+ */
+export function addChart(place, description, data) {
+  const figure = document.createElement("figure");
+  figure.className = "chart";
+  figure.setAttribute("aria-label", description.title);
+  const heading = document.createElement("h2");
+  heading.textContent = description.y === "1" ? description.title : `${description.title}, ${description.y}`;
+  const body = document.createElement("div");
+  figure.append(heading, body);
+  place.append(figure);
+  const chart = { plot: null };
+  const width = () => Math.max(240, Math.floor(body.clientWidth));
+  const draw = () => {
+    chart.plot?.destroy();
+    chart.plot = new uPlot(optionsOf(description, width()), data, body);
+  };
+  draw();
+  new ResizeObserver(() => {
+    if (chart.plot.width !== width()) chart.plot.setSize({ width: width(), height: description.height });
+  }).observe(body);
+  charts.push(draw);
+  return chart;
+}
+
+onThemeChange(() => charts.forEach((draw) => draw()));

@@ -1,0 +1,41 @@
+# Libraries from npm, fetched while configuring, once per build folder and lock file.
+set(MOREPRO_LEAST_NODE 18)
+
+# morepro_npm_ci(FOLDER REASON): node_modules of FOLDER's lock file, in the build folder that belongs to the caller's
+# source folder. REASON is empty when they are there, else a phrase that says why not and what to do. The next
+# configuration tries again.
+function(morepro_npm_ci folder reason)
+  set(${reason} "" PARENT_SCOPE)
+  find_program(MOREPRO_NODE NAMES node nodejs)
+  find_program(MOREPRO_NPM npm)
+  if(NOT MOREPRO_NODE OR NOT MOREPRO_NPM)
+    set(${reason} "node or npm is not there; install the packages nodejs and npm" PARENT_SCOPE)
+    return()
+  endif()
+  execute_process(COMMAND "${MOREPRO_NODE}" --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE)
+  string(REGEX REPLACE "^v" "" version "${version}")
+  if(version VERSION_LESS MOREPRO_LEAST_NODE)
+    set(${reason} "node ${version} is too old; install version ${MOREPRO_LEAST_NODE} or newer" PARENT_SCOPE)
+    return()
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/package.json" "${folder}/package-lock.json")
+  file(SHA256 "${folder}/package-lock.json" wanted)
+  set(stamp "${CMAKE_CURRENT_BINARY_DIR}/fetched.sha256")
+  if(EXISTS "${stamp}")
+    file(READ "${stamp}" fetched)
+    if(fetched STREQUAL wanted)
+      return()
+    endif()
+  endif()
+  file(COPY "${folder}/package.json" "${folder}/package-lock.json" DESTINATION "${CMAKE_CURRENT_BINARY_DIR}")
+  message(STATUS "npm ci for ${folder}")
+  execute_process(COMMAND "${MOREPRO_NPM}" ci --ignore-scripts --no-audit --no-fund --fetch-retries=1 --fetch-timeout=60000
+    WORKING_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output
+    TIMEOUT 600)
+  if(status EQUAL 0)
+    file(WRITE "${stamp}" "${wanted}")
+  else()
+    message(STATUS "npm ci: ${output}")
+    set(${reason} "npm could not fetch libraries; check the network" PARENT_SCOPE)
+  endif()
+endfunction()
