@@ -102,7 +102,7 @@ inline constexpr std::array<EffectInfo, kEffectCount> kEffects{
                Aliases(Effect::kFeedSpeedDelay)},
     EffectInfo{Effect::kFeedBacklash, "feed_backlash", EffectGroup::kFeedForce, "m", SizeRange::kNotNegative,
                "F = m/2 u', u' = 2/m (F1 + bx v + load) in the play a, u = 0 at its ends",
-               "forces on the slide that change their sign",
+               "feed force reversals",
                "A position sensor at the slide as well as at the motor."},
     EffectInfo{Effect::kFeedPresliding, "feed_presliding", EffectGroup::kFeedForce, "N", SizeRange::kAnySign,
                "F = -a z, dz/dx = (sign(v) - z) / 50 um (Dahl)", "small feed reversals",

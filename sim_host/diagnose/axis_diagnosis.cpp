@@ -116,11 +116,12 @@ class Search {
   AxisFit duel(std::vector<Candidate>& ranked) const {
     const double before = fit_.unlikeliness();
     std::vector<Trial> trials;
+    const double promised_most = ranked.front().evidence;
     double best = 0.0;
     double kept = 1.0;  // of what the linearisation promised to the best
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       Candidate& rival = ranked[i];
-      if (!is_worth_a_trial(rival, trials.size(), best)) {
+      if (!is_worth_a_trial(rival, trials.size(), std::min(best, promised_most))) {
         rival.evidence *= kept;
         continue;
       }
@@ -141,7 +142,8 @@ class Search {
     return winner != nullptr ? *winner : fit_;
   }
 
-  /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn.
+  /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn. `best`:
+  /// what the best of those before has been worth, no more than was promised to the first.
   [[nodiscard]] bool is_worth_a_trial(const Candidate& rival, std::size_t tried, double best) const {
     if (tried >= kMostTrials || rival.evidence < diagnosis_.least_evidence) return false;
     return best == 0.0 || (tried < kMostRivals && rival.evidence >= kNearlyAsGood * best);

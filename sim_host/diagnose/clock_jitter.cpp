@@ -18,7 +18,10 @@ constexpr double kOutlier = 6.0;      // deviations beyond count as this
 constexpr std::size_t kBins = 320;
 constexpr double kFirstDecade = 0.0;
 constexpr double kBinsPerDecade = 20.0;
-constexpr double kMostShared = 0.3;    // by neighbours; where a law is wrong it is most of it
+// By neighbours. The observer takes part of a jitter for a change of the state, which comes back with the other sign: up
+// to half of it. Where a law is wrong it is nearly all, of either sign.
+constexpr double kMostShared = 0.3;
+constexpr double kLeastShared = -0.6;
 constexpr double kSizeError = 0.05;   // relative: between which two rates an instant lies is not recorded
 constexpr std::size_t kFewest = 400;
 
@@ -164,6 +167,15 @@ double unlikeliness(const Evaluation& evaluation, double jitter_s) {
   return sum;
 }
 
+double evidence_of(const Evaluation& evaluation, std::size_t sensor, double jitter_s2) {
+  double sum = 0.0;
+  for (const std::size_t i : {2 * sensor, 2 * sensor + 1}) {
+    const Residuals& r = evaluation.residuals[i];
+    if (r.count >= kFewest) sum += unlikeliness(r, 0.0) - unlikeliness(r, jitter_s2);
+  }
+  return sum;
+}
+
 Evaluation evaluate(std::span<const AxisFit* const> fits, double share_of_current_noise) {
   Evaluation evaluation;
   for (const AxisFit* fit : fits) {
@@ -201,14 +213,19 @@ Jitter with_its_noise(std::span<const AxisFit* const> fits, Jitter best, double 
   return best;
 }
 
+/// Of the sensor that tells most of the jitter.
 bool is_wrong_law(const Evaluation& evaluation, double jitter_s) {
-  double shared = 0.0;
-  double all = 0.0;
-  for (const Togetherness& t : evaluation.togetherness) {
-    shared += t.shared;
-    all += jitter_s * jitter_s * t.per_s2;
+  const double jitter_s2 = jitter_s * jitter_s;
+  double most = 0.0;
+  double share = 0.0;
+  for (std::size_t sensor = 0; sensor < evaluation.togetherness.size(); ++sensor) {
+    const double evidence = evidence_of(evaluation, sensor, jitter_s2);
+    if (!(evidence > most)) continue;
+    most = evidence;
+    const Togetherness& t = evaluation.togetherness[sensor];
+    share = t.shared / (jitter_s2 * t.per_s2);
   }
-  return shared > kMostShared * all;
+  return share > kMostShared || share < kLeastShared;
 }
 
 /// By how much the size may change until the likelihood is that of one standard deviation, as a share.

@@ -83,7 +83,7 @@ class Outputs(ProgramTest):
         self.assertEqual(self.files(), ["run.csv", "run.mrec"])
 
     def test_an_unknown_command_is_named(self):
-        self.assertIn("unknown command 'frobnicate'; did you mean one of simulate, replay, convert, ",
+        self.assertIn("unknown command 'frobnicate'; did you mean one of simulate, replay, ",
                       self.must_refuse(2, "frobnicate"))
         self.assertIn("unknown command 'replya'; did you mean 'replay'?", self.must_refuse(2, "replya", "run.csv"))
 

@@ -99,9 +99,9 @@ inline bool names(const host::EffectResult& found, Effect name) {
 inline std::string said(const DiagnosisResult& result) {
   std::string text(host::name_of(result.verdict));
   for (const auto& found : result.which) {
-    text += "; " + std::string(gap::name_of(found.effect)) + " = " + std::to_string(found.magnitude) + " {";
-    for (const Effect alias : found.alias_set) text += " " + std::string(gap::name_of(alias));
-    text += " }";
+    text.append("; ").append(gap::name_of(found.effect)).append(" = ").append(std::to_string(found.magnitude)).append(" {");
+    for (const Effect alias : found.alias_set) text.append(" ").append(gap::name_of(alias));
+    text.append(" }");
   }
   return text;
 }
