@@ -12,7 +12,6 @@ namespace morepro::host {
 namespace {
 
 constexpr double kLeastEvidence = 40.0;
-constexpr double kLeastShare = 0.01;  // of what named effects have: no law has exactly a machine's shape
 constexpr double kOutlier = 6.0;      // deviations beyond count as this
 // Of squares of rates over noise, in 1/s2: from what takes a second to be seen to a microsecond's part.
 constexpr std::size_t kBins = 320;
@@ -239,14 +238,13 @@ double relative_error(const Evaluation& evaluation, const Jitter& jitter) {
 
 }  // namespace
 
-std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits, double named_evidence) {
+std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits) {
   if (fits.empty()) return std::nullopt;
   const double period_s = 1.0 / fits.front()->signals().rate_hz;
   const Evaluation evaluation = evaluate(fits, 1.0);
   const Jitter first = best_jitter(evaluation, period_s);
   const double evidence = unlikeliness(evaluation, 0.0) - first.unlikeliness;
-  if (!(evidence > std::max(kLeastEvidence, kLeastShare * named_evidence))) return std::nullopt;
-  if (is_wrong_law(evaluation, first.size_s)) return std::nullopt;
+  if (!(evidence > kLeastEvidence) || is_wrong_law(evaluation, first.size_s)) return std::nullopt;
   const Jitter jitter = with_its_noise(fits, first, period_s);
   const double error = std::hypot(relative_error(evaluation, first), kSizeError);
   return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, jitter.size_s, error * jitter.size_s,

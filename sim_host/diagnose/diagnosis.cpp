@@ -125,12 +125,8 @@ class Diagnosis {
 
   void look_for_jitter() {
     std::vector<const AxisFit*> fits;
-    double named = 0.0;
-    for (const AxisOutcome& outcome : outcomes_) {
-      fits.push_back(&outcome.diagnosis.fit);
-      for (const Finding& finding : outcome.diagnosis.found) named = std::max(named, finding.evidence);
-    }
-    if (const auto jitter = find_jitter(fits, named)) faults_.push_back(*jitter);
+    for (const AxisOutcome& outcome : outcomes_) fits.push_back(&outcome.diagnosis.fit);
+    if (const auto jitter = find_jitter(fits)) faults_.push_back(*jitter);
   }
 
   void leave_out_excluded_faults() {
