@@ -1,17 +1,11 @@
 #include "sim_host/diagnose/diagnosis_json.hpp"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "lib/gap/effect_catalogue.hpp"
+#include "sim_host/diagnose/json_parts.hpp"
 #include "sim_host/replay/gap_report.hpp"
 
 namespace morepro::host {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json where_of(const DiagnosisResult& r) {
   Json where = Json::array();
@@ -19,17 +13,18 @@ Json where_of(const DiagnosisResult& r) {
     Json cells = Json::array();
     for (const GapCell& c : b.cells)
       cells.push_back({{"by", c.by},
-                       {"from", number(c.from)},
-                       {"to", number(c.to)},
-                       {"residual_ratio", number(c.residual_ratio)},
-                       {"p_value", number(c.p_value)}});
-    Json balance{{"balance", gap::name_of(b.balance)},
-                 {"evaluated", b.is_evaluated},
-                 {"residual_ratio", b.is_evaluated ? number(b.residual_ratio) : Json(nullptr)},
-                 {"residual_ratio_after", b.is_evaluated ? number(b.residual_ratio_after) : Json(nullptr)},
-                 {"significant", b.is_significant},
-                 {"cells", std::move(cells)},
-                 {"onset_s", b.onset_s ? number(*b.onset_s) : Json(nullptr)}};
+                       {"from", json_number(c.from)},
+                       {"to", json_number(c.to)},
+                       {"residual_ratio", json_number(c.residual_ratio)},
+                       {"p_value", json_number(c.p_value)}});
+    Json balance{
+        {"balance", gap::name_of(b.balance)},
+        {"evaluated", b.is_evaluated},
+        {"residual_ratio", b.is_evaluated ? json_number(b.residual_ratio) : Json(nullptr)},
+        {"residual_ratio_after", b.is_evaluated ? json_number(b.residual_ratio_after) : Json(nullptr)},
+        {"significant", b.is_significant},
+        {"cells", std::move(cells)},
+        {"onset_s", b.onset_s ? json_number(*b.onset_s) : Json(nullptr)}};
     if (!b.is_evaluated) balance["reason"] = b.reason;
     where.push_back(std::move(balance));
   }
@@ -42,11 +37,11 @@ Json which_of(const DiagnosisResult& r) {
     Json aliases = Json::array();
     for (const gap::Effect alias : e.alias_set) aliases.push_back(gap::name_of(alias));
     which.push_back({{"effect", gap::name_of(e.effect)},
-                     {"confidence", number(e.confidence)},
-                     {"magnitude", number(e.magnitude)},
+                     {"confidence", json_number(e.confidence)},
+                     {"magnitude", json_number(e.magnitude)},
                      {"unit", gap::info_of(e.effect).unit},
-                     {"standard_error", number(e.standard_error)},
-                     {"evidence", number(e.evidence)},
+                     {"standard_error", json_number(e.standard_error)},
+                     {"evidence", json_number(e.evidence)},
                      {"alias_set", std::move(aliases)},
                      {"separate_by", gap::info_of(e.effect).separate_by}});
   }
@@ -57,10 +52,10 @@ Json comparison_of(const std::array<std::optional<ModelComparison>, gap::kBalanc
   Json comparison = Json::object();
   for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
     if (!models[b]) continue;
-    comparison[std::string(gap::kBalanceNames[b])] = {{"datasheet", number(models[b]->datasheet)},
-                                                      {"refit", number(models[b]->refit)},
-                                                      {"with_effect", number(models[b]->with_effect)},
-                                                      {"noise_floor", number(models[b]->noise_floor)}};
+    comparison[std::string(gap::kBalanceNames[b])] = {{"datasheet", json_number(models[b]->datasheet)},
+                                                      {"refit", json_number(models[b]->refit)},
+                                                      {"with_effect", json_number(models[b]->with_effect)},
+                                                      {"noise_floor", json_number(models[b]->noise_floor)}};
   }
   return comparison;
 }
@@ -69,8 +64,8 @@ Json shrinkage_of(const Shrinkage& s) {
   Json free_run{{"horizon_s", s.horizon_s}};
   free_run.update(comparison_of(s.free_run_nrmse));
   return {{"held_out", true},
-          {"share_closed", number(s.share_closed)},
-          {"ci90", {number(s.interval90[0]), number(s.interval90[1])}},
+          {"share_closed", json_number(s.share_closed)},
+          {"ci90", {json_number(s.interval90[0]), json_number(s.interval90[1])}},
           {"one_step_nrmse", comparison_of(s.one_step_nrmse)},
           {"free_run_nrmse", std::move(free_run)}};
 }
@@ -81,41 +76,26 @@ Json board_of(const DiagnosisResult& r) {
   return board;
 }
 
-Json parameters_of(const DiagnosisResult& r) {
-  Json parameters = Json::array();
-  for (const ParameterResult& p : r.parameters)
-    parameters.push_back({{"name", p.name},
-                          {"datasheet", number(p.datasheet)},
-                          {"refit", number(p.refit)},
-                          {"standard_error", number(p.standard_error)},
-                          {"identifiable", p.is_identifiable},
-                          {"reason", p.reason}});
-  return parameters;
-}
-
 }  // namespace
 
 std::string diagnosis_json(const DiagnosisResult& r) {
-  const Json json{{"schema", "morepro.diagnosis/1"},
-                  {"recording",
-                   {{"file", r.file},
-                    {"rows", r.rows},
-                    {"rate_hz", r.rate_hz},
-                    {"duration_s", r.duration_s},
-                    {"missing_rows", r.missing_rows}}},
-                  {"verdict", name_of(r.verdict)},
-                  {"explanation", r.explanation},
-                  {"where", where_of(r)},
-                  {"which", which_of(r)},
-                  {"unexplained", {{"evidence", number(r.unexplained_evidence)}, {"share", number(r.unexplained_share)}}},
-                  {"shrinkage", shrinkage_of(r.shrinkage)},
-                  {"parameters", parameters_of(r)},
-                  {"board", board_of(r)},
-                  {"threshold",
-                   {{"evidence", number(r.threshold_evidence)},
-                    {"temperature", number(r.temperature)},
-                    {"bootstrap_runs", r.bootstrap_runs}}}};
-  return json.dump(2) + "\n";
+  const Json json{
+      {"schema", "morepro.diagnosis/1"},
+      {"recording", json_recording(r)},
+      {"verdict", name_of(r.verdict)},
+      {"explanation", r.explanation},
+      {"where", where_of(r)},
+      {"which", which_of(r)},
+      {"unexplained",
+       {{"evidence", json_number(r.unexplained_evidence)}, {"share", json_number(r.unexplained_share)}}},
+      {"shrinkage", shrinkage_of(r.shrinkage)},
+      {"parameters", json_parameters(r.parameters)},
+      {"board", board_of(r)},
+      {"threshold",
+       {{"evidence", json_number(r.threshold_evidence)},
+        {"temperature", json_number(r.temperature)},
+        {"bootstrap_runs", r.bootstrap_runs}}}};
+  return json_text(json);
 }
 
 }  // namespace morepro::host
