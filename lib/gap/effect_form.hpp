@@ -65,18 +65,10 @@ constexpr bool acts_one_way(Effect effect) {
     case Effect::kFeedViscousFriction:
     case Effect::kFeedStribeckFriction:
     case Effect::kFeedPresliding:
-    case Effect::kFeedBacklash:
-    case Effect::kDriveLag:
-    case Effect::kFeedDriveLag:
     case Effect::kBrushVoltageDrop:
-    case Effect::kSpindleSpeedDelay:
-    case Effect::kCurrentDelay:
-    case Effect::kFeedSpeedDelay:
-    case Effect::kSpindleSpeedBandwidth:
-    case Effect::kCurrentBandwidth:
       return true;
     default:
-      return false;
+      return size_is_shape(effect);
   }
 }
 
