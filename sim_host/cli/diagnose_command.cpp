@@ -38,10 +38,6 @@ gap::Effect effect_of(const std::string& name) {
                                did_you_mean(name, names)));
 }
 
-std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
-}
-
 void run(const DiagnoseArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
                  {{"--json", arguments.json}, {"--apply", arguments.apply}});

@@ -35,10 +35,6 @@ struct IdentifyArguments {
   std::string progress = "auto";
 };
 
-std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
-}
-
 /// What the answer rests on and nobody measured.
 void note_assumptions(const RecordingSignals& signals, const MachineDescription& machine) {
   if (!machine.effects.empty())

@@ -107,10 +107,6 @@ std::string summary_text(const KinematicsJob& job, const TrajectorySummary& summ
   return text + (summary.passed_singularity ? ", damped beside a singularity" : "");
 }
 
-std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
-}
-
 void write_trajectory(const KinematicsArguments& arguments) {
   if (arguments.out.empty() && arguments.report.empty()) {
     throw UsageError(

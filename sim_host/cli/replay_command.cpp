@@ -30,10 +30,6 @@ struct ReplayArguments {
   std::string progress = "auto";
 };
 
-std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
-}
-
 /// Every file that a replay writes: opened before the work, visible after it, all or none.
 struct ReplayFiles {
   explicit ReplayFiles(const ReplayArguments& arguments)

@@ -23,10 +23,6 @@ struct ThesisArguments {
   std::string progress = "auto";
 };
 
-std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
-}
-
 std::vector<thesis::BankTrialRow> bank_of(const ThesisArguments& arguments) {
   if (!arguments.with_bank) return {};
   StageProgress progress("thesis", arguments.progress != "off");

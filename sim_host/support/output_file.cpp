@@ -84,4 +84,8 @@ void OutputFile::refuse(int reason) const {
                   path_ == "-" ? "to standard output" : path_, std::strerror(reason)));
 }
 
+std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+}
+
 }  // namespace morepro::host

@@ -37,4 +37,7 @@ class OutputFile {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
+/// None where `path` is empty.
+std::unique_ptr<OutputFile> open_if_asked(const std::string& path);
+
 }  // namespace morepro::host
