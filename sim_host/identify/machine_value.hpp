@@ -27,6 +27,10 @@ inline constexpr std::size_t kMachineValueCount = 9;
 constexpr std::size_t index_of(MachineValue value) { return static_cast<std::size_t>(value); }
 
 constexpr MachineValue value_of(Parameter parameter) { return static_cast<MachineValue>(parameter); }
+// One order for both: the first and the last of the seven stand where Parameter has them.
+static_assert(value_of(Parameter::kTorqueConstant) == MachineValue::kTorqueConstant &&
+              value_of(Parameter::kBackEmfConstant) == MachineValue::kBackEmfConstant &&
+              index_of(MachineValue::kSpindleFriction) == kParameterCount);
 
 constexpr bool is_of_feed(MachineValue value) {
   return value == MachineValue::kMass || value == MachineValue::kContactForce ||
