@@ -18,7 +18,7 @@ enum class FrameFlag : std::uint16_t {
   kSpeedHigh = 1U << 10,      ///< cutting speed above the contact law's range
   kNoInput = 1U << 11,        ///< an input that the plant needs was never seen: nothing to predict with
   kSequenceReset = 1U << 12,  ///< the sender started again from another sequence number
-  kJump = 1U << 13,            ///< a slow quantity jumped: that channel was not used
+  kJump = 1U << 13,           ///< a slow quantity jumped: that channel was not used
 };
 
 constexpr std::uint16_t bits_of(FrameFlag flag) { return static_cast<std::uint16_t>(flag); }

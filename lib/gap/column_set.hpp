@@ -59,7 +59,8 @@ class ColumnSet {
     return all;
   }
 
-  /// visit(index, contribution) for every term: what it adds where it is of that sort, nothing where it is not.
+  /// visit(index, contribution) for every term: what it adds where it is of that sort, nothing where it is
+  /// not.
   template <class Visit>
   void for_each(const EffectSignals<Real>& signals, bool in_sensor, Visit visit) {
     for (std::size_t j = 0; j < terms_; ++j) {

@@ -13,9 +13,9 @@ struct FrictionStep {
   Real slope = 1;
 };
 
-/// Exact solution of dx/dt = -a tanh(x / width) over a step of which `loss` = a h is the most that it takes away:
-/// sinh(x / width) decays exponentially. Where friction is steep against a step its state sticks; an explicit
-/// step swings instead. width > 0. A negative loss drives; that is an explicit step.
+/// Exact solution of dx/dt = -a tanh(x / width) over a step of which `loss` = a h is the most that it takes
+/// away: sinh(x / width) decays exponentially. Where friction is steep against a step its state sticks; an
+/// explicit step swings instead. width > 0. A negative loss drives; that is an explicit step.
 template <class Real>
 FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
   constexpr Real kFar = 20;  // beyond, sinh and cosh are the same
@@ -59,9 +59,11 @@ struct DryFriction {
     const Real shape = static_cast<Real>(form.shape);
     switch (form.effect) {
       case Effect::kSpindleStribeckFriction:
-        return stribeck(value, static_cast<Real>(laws::kSmoothShare) * k.speed_rad_s, shape * k.speed_rad_s, yield);
+        return stribeck(value, static_cast<Real>(laws::kSmoothShare) * k.speed_rad_s, shape * k.speed_rad_s,
+                        yield);
       case Effect::kFeedStribeckFriction:
-        return stribeck(value, static_cast<Real>(laws::kFeedSmoothShare) * k.feed_speed_m_s, shape * k.feed_speed_m_s, yield);
+        return stribeck(value, static_cast<Real>(laws::kFeedSmoothShare) * k.feed_speed_m_s,
+                        shape * k.feed_speed_m_s, yield);
       case Effect::kFeedCoulombFriction:
         return friction_step(value, shape * k.feed_speed_m_s, size * yield);
       case Effect::kBrushVoltageDrop:

@@ -64,7 +64,8 @@ enum class Effect : std::uint8_t {
   kSensorQuantization,
   kClockJitter,
   kSampleDropout,
-  kUnnamedTorque,   ///< this and the following: structure that the catalogue has no name for (unnamed_laws.hpp)
+  kUnnamedTorque,  ///< this and the following: structure that the catalogue has no name for
+                   ///< (unnamed_laws.hpp)
   kUnnamedVoltage,
   kUnnamedForce,
 };

@@ -105,13 +105,13 @@ class Bristle {
   Real deflection_ = 0;
 };
 
-/// Drive and slide with a play between them: each moves by itself inside it, and at its ends, where they meet without
-/// bouncing, they are one. Starts in the middle.
+/// Drive and slide with a play between them: each moves by itself inside it, and at its ends, where they meet
+/// without bouncing, they are one. Starts in the middle.
 template <class Real>
 class Play {
  public:
-  /// `acceleration`: at which the drive runs away from the slide inside the play. Returns what `part` of it changes in a
-  /// step, until they meet and what it has gained is lost.
+  /// `acceleration`: at which the drive runs away from the slide inside the play. Returns what `part` of it
+  /// changes in a step, until they meet and what it has gained is lost.
   Real operator()(Real acceleration_m_s2, Real part_m_s2, Real width_m, Real step_s) {
     const Real half = Real(0.5);
     const Real free = speed_m_s_ + acceleration_m_s2 * step_s;

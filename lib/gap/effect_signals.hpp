@@ -21,8 +21,8 @@ struct EffectSignals {
   Real winding_degc = 0;
   Real acceleration_rad_s2 = 0;  ///< of the nominal model
   Real current_rate_a_s = 0;     ///< of the nominal model
-  // The same speeds and current as far as inputs and laws made them change: what is measured at random lags too, but
-  // would take the blame for every disturbance that lasts.
+  // The same speeds and current as far as inputs and laws made them change: what is measured at random lags
+  // too, but would take the blame for every disturbance that lasts.
   Real driven_speed_rad_s = 0;
   Real driven_current_a = 0;
   Real driven_feed_speed_m_s = 0;

@@ -87,9 +87,10 @@ inline double size_of(const AppliedEffect& one, const EffectScales<double>& scal
   return math::sqrt(power);
 }
 
-/// The same effect, stated for a machine with another reference point: widths are shares of it, and a load that
-/// grows with the speed is stated there.
-inline AppliedEffect restated(AppliedEffect one, const EffectScales<double>& from, const EffectScales<double>& to) {
+/// The same effect, stated for a machine with another reference point: widths are shares of it, and a load
+/// that grows with the speed is stated there.
+inline AppliedEffect restated(AppliedEffect one, const EffectScales<double>& from,
+                              const EffectScales<double>& to) {
   const auto widen = [&one](double ratio) { one.form.shape *= static_cast<float>(ratio); };
   switch (one.form.effect) {
     case Effect::kSpindleCoulombFriction:

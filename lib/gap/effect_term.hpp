@@ -74,23 +74,24 @@ class EffectTerm {
   }
 
   Contribution<Real> lagging(const EffectSignals<Real>& s) {
-    if (form_.effect == Effect::kFeedDriveLag)
-      return {.force_n = lag_.mean(s.feed_force_n) - s.feed_force_n};
+    if (form_.effect == Effect::kFeedDriveLag) return {.force_n = lag_.mean(s.feed_force_n) - s.feed_force_n};
     return {.voltage_v = lag_.mean(s.armature_voltage_v) - s.armature_voltage_v};
   }
 
   /// Effects of one group never act elsewhere, but for those of the flux, which act on voltage and torque.
   Contribution<Real> by_law(const EffectSignals<Real>& s) const {
-    if (form_.effect < Effect::kFeedCoulombFriction) return {.torque_nm = laws::torque(form_, part_, s, scales_)};
+    if (form_.effect < Effect::kFeedCoulombFriction)
+      return {.torque_nm = laws::torque(form_, part_, s, scales_)};
     if (form_.effect < Effect::kBrushVoltageDrop) return {.force_n = laws::force(form_, part_, s, scales_)};
     if (form_.effect < Effect::kSpindleSpeedBias)
-      return {.torque_nm = laws::torque(form_, part_, s, scales_), .voltage_v = laws::voltage(form_, s, scales_)};
+      return {.torque_nm = laws::torque(form_, part_, s, scales_),
+              .voltage_v = laws::voltage(form_, s, scales_)};
     return {.speed_rad_s = laws::speed_error(form_, part_, s), .current_a = laws::current_error(form_, s)};
   }
 
-  /// Drive and slide have half of the mass each. What the slide is braked with drives the two apart like the force on
-  /// the drive; by half of that the drive is faster than both together. Part 1 is what the brake does of it: with other
-  /// masses the two count differently.
+  /// Drive and slide have half of the mass each. What the slide is braked with drives the two apart like the
+  /// force on the drive; by half of that the drive is faster than both together. Part 1 is what the brake
+  /// does of it: with other masses the two count differently.
   Real in_play(const EffectSignals<Real>& s) {
     const Real per_half_mass = Real(2) / scales_.mass_kg;
     const Real brake_n =

@@ -5,8 +5,8 @@
 
 namespace morepro::gap {
 
-/// Parameters of the nominal feed axis that may be off, in the order of their columns; relative errors, but the
-/// contact load's: 1 N.
+/// Parameters of the nominal feed axis that may be off, in the order of their columns; relative errors, but
+/// the contact load's: 1 N.
 enum class FeedColumn : std::size_t { kMass = 0, kViscousFriction, kContactLoad, kEngagedLoad };
 inline constexpr std::size_t kFeedParameters = 4;
 
@@ -49,8 +49,8 @@ class FeedObserver {
   /// The next frame is a new beginning, in the same place.
   void restart() { is_started_ = false; }
 
-  /// Rows of the frame's measurements, then on to the next frame. `spindle_speed_rad_s` and `angle_rad`: of the
-  /// spindle, where they are known.
+  /// Rows of the frame's measurements, then on to the next frame. `spindle_speed_rad_s` and `angle_rad`: of
+  /// the spindle, where they are known.
   void step(const GapFrame<Real>& frame, Real spindle_speed_rad_s, Real angle_rad, Rows& rows) {
     see(frame, spindle_speed_rad_s, angle_rad, rows);
     move_on(frame);
@@ -69,8 +69,8 @@ class FeedObserver {
   }
 
  private:
-  /// A random force lasts longer than an interval: what it adds to the speed at the end it has added to the position by
-  /// half. Without that, the position seems to know the speed too early.
+  /// A random force lasts longer than an interval: what it adds to the speed at the end it has added to the
+  /// position by half. Without that, the position seems to know the speed too early.
   static constexpr math::BasicMatrix2<Real> shaken(Real speed_step, Real step_s) {
     const Real position_step = Real(0.5) * step_s * speed_step;
     return {position_step * position_step, position_step * speed_step, position_step * speed_step,
@@ -100,10 +100,12 @@ class FeedObserver {
     first_.fill(Real(0));
     if (frame.has_feed_position)
       observer_.template update<0>(frame.feed_position_m - origin_m_ - observer_.mean(0),
-                                   noise_.doubt(frame.time_s) * noise_.feed_position_variance, first_, rows.position);
+                                   noise_.doubt(frame.time_s) * noise_.feed_position_variance, first_,
+                                   rows.position);
     if (frame.has_feed_speed)
       observer_.template update<1>(frame.feed_speed_m_s - shown_.feed_speed_m_s - observer_.mean(1),
-                                   noise_.doubt(frame.time_s) * noise_.feed_speed_variance, second_, rows.speed);
+                                   noise_.doubt(frame.time_s) * noise_.feed_speed_variance, second_,
+                                   rows.speed);
     driven_m_s_ += Real(kDrivenLeak) * (observer_.mean(1) - driven_m_s_);
   }
 
@@ -111,8 +113,8 @@ class FeedObserver {
     const auto& k = terms_.scales();
     const Real x = observer_.mean(0);
     const Real half = Real(0.5);
-    // Half of the friction before the rest and half of it after (Strang): right to second order, and a state that
-    // sticks does so where it should.
+    // Half of the friction before the rest and half of it after (Strang): right to second order, and a state
+    // that sticks does so where it should.
     const Real yield = half * integral_.a11 / k.mass_kg;
     const auto before = terms_.rub(BrakedState::kFeedSpeed, observer_.mean(1), yield, frame.time_s);
     const Real v = before.value;
@@ -132,7 +134,8 @@ class FeedObserver {
     const math::BasicMatrix2<Real> psi{integral_.a00, integral_.a01, after.slope * integral_.a10,
                                        after.slope * integral_.a11};
     driven_m_s_ += after.value - observer_.mean(1);
-    observer_.predict(x + dx + integral_.a01 * rate_added, after.value, phi, psi, process_noise_, first_, second_);
+    observer_.predict(x + dx + integral_.a01 * rate_added, after.value, phi, psi, process_noise_, first_,
+                      second_);
   }
 
   void load_columns(const EffectSignals<Real>& s, Real acceleration_m_s2, const PlantInput<Real>& input) {

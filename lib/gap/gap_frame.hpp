@@ -3,7 +3,8 @@
 
 namespace morepro::gap {
 
-/// One sampling interval as the observers see it: inputs held over it, and what was measured at its beginning.
+/// One sampling interval as the observers see it: inputs held over it, and what was measured at its
+/// beginning.
 template <class Real>
 struct GapFrame {
   Real time_s = 0;
@@ -22,15 +23,16 @@ struct GapFrame {
   bool has_feed_position = false;
 };
 
-/// Variances of the sensors, and what the observers allow the machine to do at random in one interval: standard
-/// deviations that the interval adds to the states.
+/// Variances of the sensors, and what the observers allow the machine to do at random in one interval:
+/// standard deviations that the interval adds to the states.
 template <class Real>
 struct GapNoise {
   Real speed_variance = 1;
   Real current_variance = 1;
   Real feed_speed_variance = 1;
   Real feed_position_variance = 1;
-  Real free_from_s = Real(1.0e30);  ///< from this time on the model runs free: measurements are compared, not taken
+  Real free_from_s =
+      Real(1.0e30);       ///< from this time on the model runs free: measurements are compared, not taken
   Real speed_step = 0;    ///< rad/s
   Real current_step = 0;  ///< A
   Real feed_step = 0;     ///< m/s

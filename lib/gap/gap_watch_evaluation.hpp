@@ -138,8 +138,8 @@ class GapWatchEvaluation {
     draft_.verdict = verdict();
     draft_.effect = forms_[best_].effect;
     draft_.where = group_of(draft_.effect);
-    draft_.evidence = static_cast<float>(
-        draft_.verdict == GapVerdict::kParameterError ? parameter_evidence() : evidence_[best_]);
+    draft_.evidence = static_cast<float>(draft_.verdict == GapVerdict::kParameterError ? parameter_evidence()
+                                                                                       : evidence_[best_]);
     draft_.confidence = static_cast<float>(confidence(evidence_[best_]));
     if (draft_.verdict != GapVerdict::kEffect) draft_.alias_count = 0;
     finding_ = draft_;

@@ -32,10 +32,10 @@ inline SteadyCut steady_cut_of(const MachineParameters& machine) {
   cut.chip_load_mm = machine.tool.chip_load_mm;
   cut.feed_speed_m_s = feed_speed_for(machine, cut.speed_rad_s, cut.chip_load_mm);
   // In float, as everywhere on the board: its powers are the same bits on every machine.
-  const float load_nm = ContactLaw<float>(machine)(static_cast<float>(cut.speed_rad_s),
-                                                   static_cast<float>(cut.chip_load_mm),
-                                                   static_cast<float>(machine.thermal.tool_degc))
-                            .torque_nm;
+  const float load_nm =
+      ContactLaw<float>(machine)(static_cast<float>(cut.speed_rad_s), static_cast<float>(cut.chip_load_mm),
+                                 static_cast<float>(machine.thermal.tool_degc))
+          .torque_nm;
   const double current_a =
       (spindle.viscous_friction_nms_rad * cut.speed_rad_s + static_cast<double>(load_nm)) /
       spindle.torque_constant_nm_a;
@@ -45,8 +45,8 @@ inline SteadyCut steady_cut_of(const MachineParameters& machine) {
 
 /// Where effects are normalised: the steady cut, with the winding at the temperature of its datasheet. A
 /// machine without a cut that 1000 V reach gets its speed at 24 V without load, and a tenth of its current at
-/// 24 V and standstill. Speeds, current and chip load are > 0. For the time of configuration; the same bits on
-/// a board as on a PC.
+/// 24 V and standstill. Speeds, current and chip load are > 0. For the time of configuration; the same bits
+/// on a board as on a PC.
 inline ReferencePoint reference_point_of(const MachineParameters& machine) {
   constexpr double kHalfOfSupplyV = 24.0;
   constexpr double kHighestSupplyV = 1000.0;

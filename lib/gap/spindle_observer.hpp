@@ -6,8 +6,8 @@
 
 namespace morepro::gap {
 
-/// Parameters of the nominal spindle that may be off, in the order of their columns. A column is the effect of a
-/// relative error: +1 is a parameter twice as large as it should be said.
+/// Parameters of the nominal spindle that may be off, in the order of their columns. A column is the effect
+/// of a relative error: +1 is a parameter twice as large as it should be said.
 enum class SpindleColumn : std::size_t {
   kTorqueConstant = 0,
   kViscousFriction,
@@ -75,8 +75,8 @@ class SpindleObserver {
     is_started_ = true;
     observer_.set_columns(kSpindleParameters + terms_.size());
     const auto& k = terms_.scales();
-    const Real still_a = (frame.input.armature_voltage_v - k.back_emf_constant_vs_rad * frame.speed_rad_s) /
-                         k.resistance_ohm;
+    const Real still_a =
+        (frame.input.armature_voltage_v - k.back_emf_constant_vs_rad * frame.speed_rad_s) / k.resistance_ohm;
     const Real wide_a = k.current_a + math::abs(still_a);
     observer_.start(frame.speed_rad_s, frame.has_current ? frame.current_a : still_a, noise_.speed_variance,
                     frame.has_current ? noise_.current_variance : wide_a * wide_a);
@@ -95,7 +95,8 @@ class SpindleObserver {
     for (std::size_t j = 0; j < kSpindleParameters; ++j) first_[j] = second_[j] = Real(0);
     if (frame.has_current)
       observer_.template update<1>(frame.current_a - shown_.current_a - observer_.mean(1),
-                                   noise_.doubt(frame.time_s) * noise_.current_variance, second_, rows.current);
+                                   noise_.doubt(frame.time_s) * noise_.current_variance, second_,
+                                   rows.current);
     if (frame.has_speed)
       observer_.template update<0>(frame.speed_rad_s - shown_.speed_rad_s - observer_.mean(0),
                                    noise_.doubt(frame.time_s) * noise_.speed_variance, first_, rows.speed);
@@ -106,8 +107,8 @@ class SpindleObserver {
   void predict(const GapFrame<Real>& frame) {
     const auto& k = terms_.scales();
     const Real half = Real(0.5);
-    // Half of the friction before the rest and half of it after (Strang): right to second order, and a state that
-    // sticks does so where it should.
+    // Half of the friction before the rest and half of it after (Strang): right to second order, and a state
+    // that sticks does so where it should.
     const Real yield_w = half * step_s_ / k.inertia_kgm2;
     const Real yield_i = half * step_s_ / k.inductance_h;
     const auto w0 = terms_.rub(BrakedState::kSpindleSpeed, observer_.mean(0), yield_w, frame.time_s);
@@ -119,8 +120,7 @@ class SpindleObserver {
     const auto& f = linear.derivative;
     const Real dw = psi.a00 * f.acceleration_rad_s2 + psi.a01 * f.current_rate_a_s;
     const Real di = psi.a10 * f.acceleration_rad_s2 + psi.a11 * f.current_rate_a_s;
-    EffectSignals<Real> middle =
-        signals_of(frame, x.speed_rad_s + half * dw, x.current_a + half * di);
+    EffectSignals<Real> middle = signals_of(frame, x.speed_rad_s + half * dw, x.current_a + half * di);
     middle.acceleration_rad_s2 = dw / step_s_;
     middle.current_rate_a_s = di / step_s_;
     middle.angle_rad += half * step_s_ * x.speed_rad_s;
@@ -134,8 +134,8 @@ class SpindleObserver {
     const auto i1 = terms_.rub(BrakedState::kCurrent, free_i, yield_i, frame.time_s);
     added_.torque_nm += half * (w0.value - observer_.mean(0) + w1.value - free_w) / yield_w;
     added_.voltage_v += half * (i0.value - observer_.mean(1) + i1.value - free_i) / yield_i;
-    const math::BasicMatrix2<Real> first{step.exp.a00 * w0.slope, step.exp.a01 * i0.slope, step.exp.a10 * w0.slope,
-                                         step.exp.a11 * i0.slope};
+    const math::BasicMatrix2<Real> first{step.exp.a00 * w0.slope, step.exp.a01 * i0.slope,
+                                         step.exp.a10 * w0.slope, step.exp.a11 * i0.slope};
     driven_rad_s_ += w1.value - observer_.mean(0);
     driven_a_ += i1.value - observer_.mean(1);
     observer_.predict(w1.value, i1.value, braked(first, w1.slope, i1.slope), braked(psi, w1.slope, i1.slope),
@@ -143,7 +143,8 @@ class SpindleObserver {
     angle_rad_ += step_s_ * (x.speed_rad_s + half * dw);
   }
 
-  static math::BasicMatrix2<Real> braked(const math::BasicMatrix2<Real>& m, Real speed_slope, Real current_slope) {
+  static math::BasicMatrix2<Real> braked(const math::BasicMatrix2<Real>& m, Real speed_slope,
+                                         Real current_slope) {
     return {speed_slope * m.a00, speed_slope * m.a01, current_slope * m.a10, current_slope * m.a11};
   }
 

@@ -10,8 +10,8 @@ namespace morepro::gap {
 /// Share of an estimate by which the sum of a state's driven changes is drawn to it at every sample.
 inline constexpr float kDrivenLeak = 0.01F;
 
-/// One measurement against its prediction, divided by the standard deviation that the observer expects; and what
-/// a disturbance of each column, of size one since the start, would have added to it.
+/// One measurement against its prediction, divided by the standard deviation that the observer expects; and
+/// what a disturbance of each column, of size one since the start, would have added to it.
 template <class Real, std::size_t kMostColumns>
 struct InnovationRow {
   bool is_measured = false;
@@ -20,11 +20,11 @@ struct InnovationRow {
   std::array<Real, kMostColumns> column{};
 };
 
-/// Kalman filter of two states that carries, for every disturbance that might act, how far the true state would
-/// be from the estimated one (generalised likelihood ratio, Willsky and Jones 1976). Innovations of a right
-/// model are white and uncorrelated with everything before, in closed loop and with process noise too; rows of
-/// increments over windows are not: the controller feeds back what the window holds.
-/// Measurements are taken one by one, so that those of one instant come out uncorrelated.
+/// Kalman filter of two states that carries, for every disturbance that might act, how far the true state
+/// would be from the estimated one (generalised likelihood ratio, Willsky and Jones 1976). Innovations of a
+/// right model are white and uncorrelated with everything before, in closed loop and with process noise too;
+/// rows of increments over windows are not: the controller feeds back what the window holds. Measurements are
+/// taken one by one, so that those of one instant come out uncorrelated.
 template <class Real, std::size_t kMostColumns>
 class TwoStateObserver {
  public:
@@ -47,8 +47,8 @@ class TwoStateObserver {
   [[nodiscard]] Real mean(std::size_t state) const { return mean_[state]; }
   [[nodiscard]] Real variance(std::size_t state) const { return state == 0 ? p00_ : p11_; }
 
-  /// Takes `residual` = measurement - prediction of state `kState`; `sensor_error[j]` is what column j adds to the
-  /// sensor itself.
+  /// Takes `residual` = measurement - prediction of state `kState`; `sensor_error[j]` is what column j adds
+  /// to the sensor itself.
   template <std::size_t kState>
   void update(Real residual, Real sensor_variance, const Columns& sensor_error, Row& row) {
     const Real own = kState == 0 ? p00_ : p11_;
@@ -68,9 +68,9 @@ class TwoStateObserver {
     shrink<kState>(gain0, gain1, row.variance, sensor_variance);
   }
 
-  /// Moves on: the mean to where the caller's model puts it, covariance and sensitivities by its linearisation.
-  /// `rate0[j]`, `rate1[j]`: what column j adds to the derivatives of the states. `noise`: covariance that the interval
-  /// adds; a01 is read, a10 is its mirror.
+  /// Moves on: the mean to where the caller's model puts it, covariance and sensitivities by its
+  /// linearisation. `rate0[j]`, `rate1[j]`: what column j adds to the derivatives of the states. `noise`:
+  /// covariance that the interval adds; a01 is read, a10 is its mirror.
   void predict(Real x0, Real x1, const Matrix& phi, const Matrix& integral, const Matrix& noise,
                const Columns& rate0, const Columns& rate1) {
     mean_ = {x0, x1};

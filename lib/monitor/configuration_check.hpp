@@ -124,11 +124,11 @@ inline ConfigurationResult check_effect(const gap::AppliedEffect& one, double ra
   if (gap::index_of(form.effect) >= gap::kEffectCount) return {kEffectUnknown, "effects.name"};
   if (form.parts < 1 || form.parts > gap::kMostParts) return {kEffectParts, "effects.coefficients"};
   if (!is_finite(shape)) return {kNotFinite, "effects.shape"};
-  if (!(shape >= 0.0) || (gap::needs_shape(form.effect) && !(shape > 0.0))) return {kEffectShape, "effects.shape"};
+  if (!(shape >= 0.0) || (gap::needs_shape(form.effect) && !(shape > 0.0)))
+    return {kEffectShape, "effects.shape"};
   if (shape > kLargest || (shape > 0.0 && shape < kSmallest)) return {kMagnitude, "effects.shape"};
   constexpr double kLongestDelay = static_cast<double>(gap::kBoardDelaySteps) + 1.0e-3;  // a shape is a float
-  if (gap::is_delay(form.effect) && shape * rate_hz > kLongestDelay)
-    return {kEffectDelay, "effects.shape"};
+  if (gap::is_delay(form.effect) && shape * rate_hz > kLongestDelay) return {kEffectDelay, "effects.shape"};
   for (const double coefficient : one.coefficient) {
     if (!is_finite(coefficient)) return {kNotFinite, "effects.coefficients"};
     if (coefficient > kLargest || coefficient < -kLargest) return {kMagnitude, "effects.coefficients"};
@@ -139,7 +139,8 @@ inline ConfigurationResult check_effect(const gap::AppliedEffect& one, double ra
 inline ConfigurationResult check_effects(const MonitorConfiguration& c) {
   if (c.effects.count > MachineEffects::kMost) return {ConfigurationError::kEffectCount, "effects"};
   for (std::size_t i = 0; i < c.effects.count; ++i)
-    if (const auto result = check_effect(c.effects.effect[i], c.sampling.rate_hz); !result.ok()) return result;
+    if (const auto result = check_effect(c.effects.effect[i], c.sampling.rate_hz); !result.ok())
+      return result;
   return {};
 }
 

@@ -61,8 +61,7 @@ class GapTracker {
 
   /// What the spindle is driven with and cuts is known. In the air nothing is cut.
   static bool knows_spindle(const HeldInputs& held) {
-    return held.knows(Channel::kArmatureVoltage) &&
-           (held.knows(Channel::kChipLoad) || !held.is_in_contact());
+    return held.knows(Channel::kArmatureVoltage) && (held.knows(Channel::kChipLoad) || !held.is_in_contact());
   }
 
   static gap::GapFrame<float> frame_of(const HeldInputs& held, unsigned usable) {

@@ -51,8 +51,8 @@ class HeldInputs {
     return {get(Channel::kFeedForce), is_in_contact() ? 1.0F : 0.0F, get(Channel::kEngagement)};
   }
   [[nodiscard]] PlantInput<float> plant() const {
-    return {get(Channel::kArmatureVoltage), get(Channel::kFeedForce), contact(), get(Channel::kEngagement),
-            get(Channel::kChipLoad),        get(Channel::kToolTemperature)};
+    return {get(Channel::kArmatureVoltage), get(Channel::kFeedForce), contact(),
+            get(Channel::kEngagement),      get(Channel::kChipLoad),  get(Channel::kToolTemperature)};
   }
   /// 0 or 1.
   [[nodiscard]] float contact() const { return is_in_contact() ? 1.0F : 0.0F; }

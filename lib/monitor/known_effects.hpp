@@ -24,7 +24,8 @@ struct NominalState {
 ///
 /// Sensor errors are subtracted from what is measured, voltages U and forces F are added to the inputs. For a
 /// torque M the nominal machine has another current, i' = i + M / Kt: with it Kt i' is Kt i + M, and
-/// L di'/dt = V + U + R M / Kt + (L / Kt) dM/dt - R i' - Kv w. A wrong M is thus wrong in the torque balance only.
+/// L di'/dt = V + U + R M / Kt + (L / Kt) dM/dt - R i' - Kv w. A wrong M is thus wrong in the torque balance
+/// only.
 ///
 /// An effect with an onset sets in at that time after the first frame. Bounded time; may run in an interrupt.
 class KnownEffects {
@@ -54,9 +55,9 @@ class KnownEffects {
     return {frame_, seen.usable};
   }
 
-  /// One interval ahead, from the frame whose inputs hold now: from now on `held` has the inputs of the nominal
-  /// machine. `measured`: bit_of(channel) of what the frame holds, 0 where it is missing.
-  /// Not inlined: its variables need no room on the stack while the filters work.
+  /// One interval ahead, from the frame whose inputs hold now: from now on `held` has the inputs of the
+  /// nominal machine. `measured`: bit_of(channel) of what the frame holds, 0 where it is missing. Not
+  /// inlined: its variables need no room on the stack while the filters work.
   [[gnu::noinline]] void look_ahead(const NominalState& nominal, std::uint16_t measured, HeldInputs& held) {
     torque_a_ = next_torque_a_;
     PlantState<float> now{nominal.speed_rad_s, nominal.feed_speed_m_s, nominal.current_a - torque_a_};
@@ -118,8 +119,8 @@ class KnownEffects {
     position_m_ = held.get(Channel::kFeedPosition) - origin_m_;
   }
 
-  /// As the observers of lib/gap: half of the dry friction before the interval and half of it after, all other
-  /// effects in its middle, those of the sensors at its end.
+  /// As the observers of lib/gap: half of the dry friction before the interval and half of it after, all
+  /// other effects in its middle, those of the sensors at its end.
   void act(const PlantState<float>& now, HeldInputs& held) {
     constexpr float kHalf = 0.5F;
     const auto& k = terms_.scales();
@@ -154,7 +155,8 @@ class KnownEffects {
     show(at_end);
   }
 
-  PlantState<float> after_friction(const PlantState<float>& x, float yield_w, float yield_i, float yield_v) const {
+  PlantState<float> after_friction(const PlantState<float>& x, float yield_w, float yield_i,
+                                   float yield_v) const {
     using enum gap::BrakedState;
     const float t = time_s();
     return {terms_.rub(kSpindleSpeed, x.speed_rad_s, yield_w, t).value,
@@ -181,8 +183,8 @@ class KnownEffects {
             x.current_a + share * change.current_a};
   }
 
-  /// The torque is known in the middle of each interval; its line through the last two gives the interval's end.
-  /// Between two frames it is a straight line, whatever its steps: its voltage is exact.
+  /// The torque is known in the middle of each interval; its line through the last two gives the interval's
+  /// end. Between two frames it is a straight line, whatever its steps: its voltage is exact.
   void hold(const Sum& added, HeldInputs& held) {
     const auto& k = terms_.scales();
     const float middle_a = bounded(added.torque_nm / k.torque_constant_nm_a, Channel::kArmatureCurrent);

@@ -27,7 +27,8 @@
 namespace morepro {
 
 /// Everything that runs at every sample, in fixed memory: guard, bank, decision, continuous chip load, feed
-/// axis, identification, gap between model and machine, verdict. kN: hypotheses that the bank can hold, 1..64.
+/// axis, identification, gap between model and machine, verdict. kN: hypotheses that the bank can
+/// hold, 1..64.
 ///
 /// The same frames give the same bits on every machine. step() takes a bounded time and may run in an
 /// interrupt; no call allocates, blocks or reads a clock.
@@ -321,7 +322,8 @@ class Monitor {
 
   /// A gap whose cause is found is said where nothing is wrong with the tool.
   [[nodiscard]] Verdict with_gap(const Verdict& verdict) const {
-    if (verdict.state != HealthState::kHealthy && verdict.state != HealthState::kNotEnoughData) return verdict;
+    if (verdict.state != HealthState::kHealthy && verdict.state != HealthState::kNotEnoughData)
+      return verdict;
     switch (estimators_.gap.finding().verdict) {
       case gap::GapVerdict::kEffect:
         return {HealthState::kModelGap, ReasonCode::kModelEffect};

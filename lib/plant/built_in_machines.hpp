@@ -6,8 +6,8 @@ namespace morepro {
 /// A plausible 48 V, 100-500 W spindle with a 10 mm four-flute cutter. The default machine.
 constexpr MachineParameters reference_machine() { return MachineParameters{}; }
 
-/// Table 2 of the thesis with corrected units. A numerical benchmark only: it violates energy conservation because
-/// its torque constant differs from its back-EMF constant.
+/// Table 2 of the thesis with corrected units. A numerical benchmark only: it violates energy conservation
+/// because its torque constant differs from its back-EMF constant.
 constexpr MachineParameters thesis_machine() {
   MachineParameters machine;
   machine.spindle = {.torque_constant_nm_a = 1.5,

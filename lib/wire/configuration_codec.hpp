@@ -79,11 +79,8 @@ inline constexpr auto kFields<FilterTuning> = std::tuple{
 
 template <>
 inline constexpr auto kFields<WearLimits> = std::tuple{
-    &WearLimits::watch_ratio,
-    &WearLimits::replace_ratio,
-    &WearLimits::low_ratio,
-    &WearLimits::hold_s,
-    &WearLimits::datasheet_tolerance,
+    &WearLimits::watch_ratio, &WearLimits::replace_ratio,       &WearLimits::low_ratio,
+    &WearLimits::hold_s,      &WearLimits::datasheet_tolerance,
 };
 
 template <>

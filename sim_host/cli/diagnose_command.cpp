@@ -41,7 +41,8 @@ gap::Effect effect_of(const std::string& name) {
 void run(const DiagnoseArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
                  {{"--json", arguments.json}, {"--apply", arguments.apply}});
-  DiagnosisOptions options{.bootstrap_runs = arguments.bootstrap_runs, .excluded = {}, .seed = arguments.seed};
+  DiagnosisOptions options{
+      .bootstrap_runs = arguments.bootstrap_runs, .excluded = {}, .seed = arguments.seed};
   for (const std::string& name : arguments.exclude) options.excluded.push_back(effect_of(name));
   RecordingReader recording(arguments.recording);
   std::vector<std::string> notices = recording.info().warnings;
@@ -71,8 +72,9 @@ void add_diagnose(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "diagnose", "find where the model is wrong, which effect explains it and how far it shrinks with it");
   command->add_option("recording", arguments->recording, "recording, .csv or .mrec")->required();
-  command->add_option("--machine", arguments->machine,
-                      "'reference', 'thesis' or a machine file, the datasheet; the recording's own by default");
+  command->add_option(
+      "--machine", arguments->machine,
+      "'reference', 'thesis' or a machine file, the datasheet; the recording's own by default");
   command
       ->add_option("--bootstrap", arguments->bootstrap_runs,
                    "runs that tell what chance looks like in this recording; 0 switches it off")

@@ -11,20 +11,21 @@
 namespace morepro::host {
 namespace {
 
-// Rivals with this share of the best evidence are put into the model, one after the other, before one is chosen.
+// Rivals with this share of the best evidence are put into the model, one after the other, before one is
+// chosen.
 constexpr double kNearlyAsGood = 0.6;
 constexpr std::size_t kMostRivals = 3;
 constexpr std::size_t kMostTrials = 6;  // where those before them turn out to be worth nothing
-constexpr int kDuelRounds = 2;  // what a settled model needs to settle with one effect more or less
+constexpr int kDuelRounds = 2;          // what a settled model needs to settle with one effect more or less
 constexpr std::size_t kMostEffects = 4;
 constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
-constexpr double kBent = 0.6;         // relative deviation of a parameter that no datasheet has
+constexpr double kBent = 0.6;        // relative deviation of a parameter that no datasheet has
 constexpr double kLeastShareOfFamily = 0.08;
 constexpr double kLeastShare = 0.01;  // of the best effect's evidence
 
-/// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a delay has
-/// no such beginning; it starts with the size that was found.
+/// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
+/// delay has no such beginning; it starts with the size that was found.
 gap::AppliedEffect beginning_of(const Candidate& candidate) {
   gap::AppliedEffect effect{.form = candidate.form, .coefficient = {}};
   if (gap::size_is_shape(effect.form.effect) && effect.form.parts == 1) effect.coefficient[0] = 1.0;
@@ -37,16 +38,16 @@ constexpr bool has_blurred_shape(gap::Effect effect) {
          effect != gap::Effect::kFeedStribeckFriction;
 }
 
-/// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the recording
-/// says otherwise clearly.
+/// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the
+/// recording says otherwise clearly.
 struct Plainer {
   gap::Effect fine;
   gap::Effect plain;
   double undecided;    ///< share of the finer one's evidence that the plain one needs
   double still_there;  ///< evidence that the plain one needs beside the finer one, once it was found
 };
-// 12: by chance once in a thousand. Friction that depends on the direction has two parts, one that grows with the
-// speed and one that does not; they are stated together.
+// 12: by chance once in a thousand. Friction that depends on the direction has two parts, one that grows with
+// the speed and one that does not; they are stated together.
 constexpr double kRarely = 12.0;
 constexpr double kAlways = -1.0e300;
 constexpr Plainer kPlainer[] = {
@@ -84,7 +85,8 @@ class Search {
     diagnosis_.rest = fit_.collect_with(diagnosis_.others);
   }
 
-  // Beside an effect that the machine file states another one has to be worth as much as beside one that was found.
+  // Beside an effect that the machine file states another one has to be worth as much as beside one that was
+  // found.
   double evidence_of_known() const {
     if (fit_.model().known.empty()) return 0.0;
     AxisFit without = fit_;
@@ -105,8 +107,9 @@ class Search {
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     left_out_.push_back(ranked.front().form.effect);
     fit_ = std::move(winner);
-    diagnosis_.found.push_back(
-        {.effect = fit_.model().effects.back(), .evidence = ranked.front().evidence, .rivals = std::move(ranked)});
+    diagnosis_.found.push_back({.effect = fit_.model().effects.back(),
+                                .evidence = ranked.front().evidence,
+                                .rivals = std::move(ranked)});
     take_sizes();
     return true;
   }
@@ -142,15 +145,15 @@ class Search {
     return winner != nullptr ? *winner : fit_;
   }
 
-  /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn. `best`:
-  /// what the best of those before has been worth, no more than was promised to the first.
+  /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn.
+  /// `best`: what the best of those before has been worth, no more than was promised to the first.
   [[nodiscard]] bool is_worth_a_trial(const Candidate& rival, std::size_t tried, double best) const {
     if (tried >= kMostTrials || rival.evidence < diagnosis_.least_evidence) return false;
     return best == 0.0 || (tried < kMostRivals && rival.evidence >= kNearlyAsGood * best);
   }
 
-  /// Has the recording driven a parameter farther than a datasheet can be wrong? One that it does not tell may be
-  /// anywhere.
+  /// Has the recording driven a parameter farther than a datasheet can be wrong? One that it does not tell
+  /// may be anywhere.
   bool is_bent() const {
     const Eigen::VectorXd deviation = fit_.deviation().cwiseAbs();
     const Eigen::VectorXd& error = fit_.standard_error();
@@ -180,8 +183,8 @@ class Search {
     }
   }
 
-  /// The model with one effect more. Parameters that had to bend to what was missing are a bad beginning: then from
-  /// the datasheet's too.
+  /// The model with one effect more. Parameters that had to bend to what was missing are a bad beginning:
+  /// then from the datasheet's too.
   AxisFit fitted_with(const Candidate& candidate) const {
     AxisFit trial = fit_;
     trial.model().effects.push_back(beginning_of(candidate));
@@ -249,7 +252,8 @@ class Search {
       without.model().effects.erase(without.model().effects.begin() + static_cast<std::ptrdiff_t>(i));
       without.settle(kDuelRounds);
       const bool is_nominal = without.model().effects.empty();
-      if (is_nominal && without.unlikeliness() < diagnosis_.nominal.unlikeliness()) diagnosis_.nominal = without;
+      if (is_nominal && without.unlikeliness() < diagnosis_.nominal.unlikeliness())
+        diagnosis_.nominal = without;
       const double best = is_nominal ? diagnosis_.nominal.unlikeliness() : without.unlikeliness();
       const double evidence = best - fit_.unlikeliness();
       diagnosis_.found[i].evidence = std::isfinite(evidence) ? evidence : 0.0;
@@ -278,8 +282,9 @@ class Search {
       weigh();
       if (diagnosis_.found.empty()) return has_changed;
       const auto lack = [this](const Finding& f) { return enough_for(f) - f.evidence; };
-      const auto weakest = std::max_element(diagnosis_.found.begin(), diagnosis_.found.end(),
-                                            [&](const Finding& a, const Finding& b) { return lack(a) < lack(b); });
+      const auto weakest =
+          std::max_element(diagnosis_.found.begin(), diagnosis_.found.end(),
+                           [&](const Finding& a, const Finding& b) { return lack(a) < lack(b); });
       if (!(lack(*weakest) > 0.0)) break;
       fit_.model().effects.erase(fit_.model().effects.begin() + (weakest - diagnosis_.found.begin()));
       diagnosis_.found.erase(weakest);

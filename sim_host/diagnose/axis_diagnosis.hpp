@@ -20,19 +20,20 @@ struct AxisDiagnosis {
   AxisFit fit;      ///< the model with the effects
   AxisFit nominal;  ///< the model with refitted parameters only
   std::vector<Finding> found{};
-  double known_evidence = 0.0;  ///< of the machine file's effects, all together
-  double least_evidence = 0.0;  ///< that an effect needed to be looked at
+  double known_evidence = 0.0;            ///< of the machine file's effects, all together
+  double least_evidence = 0.0;            ///< that an effect needed to be looked at
   std::vector<gap::EffectForm> others{};  ///< candidates beside the findings,
   GapStatistics rest{};                   ///< and the moments of what is left with them
 
-  /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out to grow
-  /// with the speed is still there, if less of it.
+  /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out
+  /// to grow with the speed is still there, if less of it.
   [[nodiscard]] double needed(const Finding& finding, double usual) const;
 };
 
 /// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.
-AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
-                             std::span<const gap::Effect> excluded, double least_evidence,
-                             const std::function<void(double share)>& on_progress = [](double) {});
+AxisDiagnosis search_effects(
+    Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
+    std::span<const gap::Effect> excluded, double least_evidence,
+    const std::function<void(double share)>& on_progress = [](double) {});
 
 }  // namespace morepro::host

@@ -17,8 +17,8 @@ namespace {
 constexpr int kMostSteps = 8;
 constexpr std::array kDampings{0.0, 0.1, 1.0, 10.0, 100.0};
 constexpr double kSettledRound = 5.0;  // deviance that a round of noise and parameters gains
-constexpr double kSettled = 1.0;      // chi-square that a further step would gain
-constexpr double kLongestStep = 0.3;  // relative: beyond, the linearisation is worth little
+constexpr double kSettled = 1.0;       // chi-square that a further step would gain
+constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
 
 /// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.
 int directions_known(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& precision) {
@@ -28,9 +28,7 @@ int directions_known(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& p
   return static_cast<int>((solver.eigenvalues().array() < 0.01).count());
 }
 
-bool is_pure_shape(const gap::EffectForm& form) {
-  return gap::size_is_shape(form.effect) && form.parts == 1;
-}
+bool is_pure_shape(const gap::EffectForm& form) { return gap::size_is_shape(form.effect) && form.parts == 1; }
 
 }  // namespace
 
@@ -158,8 +156,11 @@ double AxisFit::relative_error_of(gap::Effect effect) const {
     if (column + parts > standard_error_.size()) return 0.0;
     const double error = standard_error_.segment(column, parts).norm();
     double size = 0.0;
-    for (Eigen::Index i = 0; i < parts; ++i) size = std::hypot(size, one.coefficient[static_cast<std::size_t>(i)]);
-    return is_pure_shape(one.form) ? error : size > 0.0 ? error / (std::sqrt(static_cast<double>(parts)) * size) : 0.0;
+    for (Eigen::Index i = 0; i < parts; ++i)
+      size = std::hypot(size, one.coefficient[static_cast<std::size_t>(i)]);
+    return is_pure_shape(one.form) ? error
+           : size > 0.0            ? error / (std::sqrt(static_cast<double>(parts)) * size)
+                                   : 0.0;
   }
   return 0.0;
 }
@@ -169,8 +170,7 @@ AxisFit::Trial AxisFit::tried() const {
   trial.moments = trial.statistics.total();
   const Eigen::Index width = trial.moments.cols();
   if (width == 0) return trial;
-  trial.cost = trial.moments(width - 1, width - 1) +
-               precision(width).dot(target(width).cwiseAbs2());
+  trial.cost = trial.moments(width - 1, width - 1) + precision(width).dot(target(width).cwiseAbs2());
   return trial;
 }
 
@@ -210,7 +210,8 @@ Eigen::VectorXd AxisFit::step_of(const Eigen::MatrixXd& moments, const std::vect
   const Eigen::VectorXd pull = prior.cwiseProduct(target(width));
   const Eigen::VectorXd damped_target = (stiff.array() > 0.0).select(pull.array() / stiff.array(), 0.0);
   const Eigen::VectorXd step = fit(moments, active, stiff, damped_target).coefficient;
-  const Eigen::Index relative = axis_ == Axis::kSpindle ? static_cast<Eigen::Index>(parameter_count(axis_)) : 2;
+  const Eigen::Index relative =
+      axis_ == Axis::kSpindle ? static_cast<Eigen::Index>(parameter_count(axis_)) : 2;
   const double longest = step.head(relative).cwiseAbs().maxCoeff();
   return std::min(1.0, kLongestStep / std::max(longest, 1.0e-12)) * step;
 }

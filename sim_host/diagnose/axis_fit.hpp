@@ -40,7 +40,8 @@ class AxisFit {
   /// Their standard errors, and the share of them that the recording does not tell (1: nothing known).
   [[nodiscard]] const Eigen::VectorXd& standard_error() const { return standard_error_; }
 
-  /// Standard error of the size of an effect that the model has, as a share of the size; 0 where it is not known.
+  /// Standard error of the size of an effect that the model has, as a share of the size; 0 where it is not
+  /// known.
   [[nodiscard]] double relative_error_of(gap::Effect effect) const;
 
   /// Combinations of parameters that the recording tells at least ten times better than a datasheet does.
@@ -67,8 +68,8 @@ class AxisFit {
   };
   [[nodiscard]] Trial tried() const;
   bool improve(Trial& best);
-  [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments, const std::vector<Eigen::Index>& active,
-                                        double damping) const;
+  [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments,
+                                        const std::vector<Eigen::Index>& active, double damping) const;
   void take(const Eigen::VectorXd& step);
   void take_parameters(const Eigen::VectorXd& step);
   void take_sizes(const Eigen::VectorXd& step);

@@ -12,7 +12,8 @@ namespace {
 using Row = Eigen::RowVectorXf;
 constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
-/// Share of the interval's first sample in the integral of a current that decays with R/L under a held voltage.
+/// Share of the interval's first sample in the integral of a current that decays with R/L under a held
+/// voltage.
 double first_share(double decay) {
   return std::fabs(decay) < 1.0e-3 ? 0.5 - decay / 12.0 : 1.0 / decay - 1.0 / std::expm1(decay);
 }
@@ -56,7 +57,8 @@ class Increments {
   std::vector<BalanceIncrements> of_spindle() {
     std::vector<BalanceIncrements> balances;
     const bool has_current = signals_.has(Channel::kArmatureCurrent);
-    balances.push_back(all(gap::Balance::kSpindleTorque, 4, [&](std::size_t i) { return torque(i, has_current); }));
+    balances.push_back(
+        all(gap::Balance::kSpindleTorque, 4, [&](std::size_t i) { return torque(i, has_current); }));
     if (has_current)
       balances.push_back(all(gap::Balance::kArmatureVoltage, 4, [&](std::size_t i) { return voltage(i); }));
     return balances;
@@ -70,9 +72,11 @@ class Increments {
  private:
   template <class Make>
   BalanceIncrements all(gap::Balance balance, Eigen::Index width, Make make) const {
-    BalanceIncrements increments{balance, Eigen::MatrixXf(static_cast<Eigen::Index>(signals_.rows), width + 1)};
+    BalanceIncrements increments{balance,
+                                 Eigen::MatrixXf(static_cast<Eigen::Index>(signals_.rows), width + 1)};
     increments.columns.setConstant(kMissing);
-    for (std::size_t i = 1; i + 1 < signals_.rows; ++i) increments.columns.row(static_cast<Eigen::Index>(i)) = make(i);
+    for (std::size_t i = 1; i + 1 < signals_.rows; ++i)
+      increments.columns.row(static_cast<Eigen::Index>(i)) = make(i);
     return increments;
   }
 
@@ -83,8 +87,12 @@ class Increments {
     return r;
   }
   static double or_missing(bool has, double value) { return has ? value : static_cast<double>(kMissing); }
-  [[nodiscard]] double speed(std::size_t i) const { return or_missing(frames_[i].has_speed, frames_[i].speed_rad_s); }
-  [[nodiscard]] double current(std::size_t i) const { return or_missing(frames_[i].has_current, frames_[i].current_a); }
+  [[nodiscard]] double speed(std::size_t i) const {
+    return or_missing(frames_[i].has_speed, frames_[i].speed_rad_s);
+  }
+  [[nodiscard]] double current(std::size_t i) const {
+    return or_missing(frames_[i].has_current, frames_[i].current_a);
+  }
   [[nodiscard]] double feed_speed(std::size_t i) const {
     return or_missing(frames_[i].has_feed_speed, frames_[i].feed_speed_m_s);
   }
@@ -92,10 +100,13 @@ class Increments {
     return or_missing(frames_[i].has_feed_position, frames_[i].feed_position_m);
   }
   [[nodiscard]] double electrical(double at_start, double at_end) const {
-    const double share = first_share(step_s_ * machine_.spindle.resistance_ohm / machine_.spindle.inductance_h);
+    const double share =
+        first_share(step_s_ * machine_.spindle.resistance_ohm / machine_.spindle.inductance_h);
     return step_s_ * (share * at_start + (1.0 - share) * at_end);
   }
-  [[nodiscard]] double mean(double at_start, double at_end) const { return 0.5 * step_s_ * (at_start + at_end); }
+  [[nodiscard]] double mean(double at_start, double at_end) const {
+    return 0.5 * step_s_ * (at_start + at_end);
+  }
   [[nodiscard]] double contact(std::size_t i) const {
     const auto& input = frames_[i].input;
     if (input.contact == 0.0) return 0.0;
@@ -112,12 +123,12 @@ class Increments {
     const auto& next = trace.shown[i + 1];
     const double shown_w = mean(here.speed_rad_s, next.speed_rad_s);
     const double shown_i = electrical(here.current_a, next.current_a);
-    const double electric =
-        has_current ? 0.0
-                    : step_s_ * trace.added[i].voltage_v * s.torque_constant_nm_a / (s.resistance_ohm * s.inertia_kgm2);
+    const double electric = has_current ? 0.0
+                                        : step_s_ * trace.added[i].voltage_v * s.torque_constant_nm_a /
+                                              (s.resistance_ohm * s.inertia_kgm2);
     return step_s_ * trace.added[i].torque_nm / s.inertia_kgm2 + next.speed_rad_s - here.speed_rad_s +
-           s.viscous_friction_nms_rad / s.inertia_kgm2 * shown_w - s.torque_constant_nm_a / s.inertia_kgm2 * shown_i +
-           electric;
+           s.viscous_friction_nms_rad / s.inertia_kgm2 * shown_w -
+           s.torque_constant_nm_a / s.inertia_kgm2 * shown_i + electric;
   }
   [[nodiscard]] double on_voltage(const EffectTrace& trace, std::size_t i) const {
     const auto& s = machine_.spindle;
@@ -143,8 +154,8 @@ class Increments {
   }
 
   [[nodiscard]] Row torque(std::size_t i, bool has_current) const {
-    const double drive = has_current ? electrical(current(i), current(i + 1))
-                                     : step_s_ * frames_[i].input.armature_voltage_v;
+    const double drive =
+        has_current ? electrical(current(i), current(i + 1)) : step_s_ * frames_[i].input.armature_voltage_v;
     return row({drive, mean(speed(i), speed(i + 1)), contact(i), on_torque(found_, i, has_current),
                 speed(i + 1) - speed(i) - on_torque(known_, i, has_current)});
   }
@@ -155,20 +166,21 @@ class Increments {
   }
   [[nodiscard]] Row force(std::size_t i) const {
     const auto& input = frames_[i].input;
-    return row({step_s_ * input.feed_force_n, step_s_ * input.contact * input.engagement, step_s_ * input.contact,
-                if_viscous(mean(feed_speed(i), feed_speed(i + 1))), on_force(found_, i),
-                feed_speed(i + 1) - feed_speed(i) - on_force(known_, i)});
+    return row({step_s_ * input.feed_force_n, step_s_ * input.contact * input.engagement,
+                step_s_ * input.contact, if_viscous(mean(feed_speed(i), feed_speed(i + 1))),
+                on_force(found_, i), feed_speed(i + 1) - feed_speed(i) - on_force(known_, i)});
   }
-  // The increment of a speed that was not recorded: a second difference of the position, with the inputs of both
-  // intervals that it spans.
+  // The increment of a speed that was not recorded: a second difference of the position, with the inputs of
+  // both intervals that it spans.
   [[nodiscard]] Row force_by_position(std::size_t i) const {
     const auto& a = frames_[i - 1].input;
     const auto& b = frames_[i].input;
     const double half = 0.5 * step_s_;
     const double cut_a = a.contact;
     const double cut_b = b.contact;
-    return row({half * (a.feed_force_n + b.feed_force_n), half * (cut_a * a.engagement + cut_b * b.engagement),
-                half * (cut_a + cut_b), if_viscous(0.5 * (position(i + 1) - position(i - 1))), on_position(found_, i),
+    return row({half * (a.feed_force_n + b.feed_force_n),
+                half * (cut_a * a.engagement + cut_b * b.engagement), half * (cut_a + cut_b),
+                if_viscous(0.5 * (position(i + 1) - position(i - 1))), on_position(found_, i),
                 (position(i + 1) - 2.0 * position(i) + position(i - 1)) / step_s_ - on_position(known_, i)});
   }
 

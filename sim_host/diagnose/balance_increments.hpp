@@ -7,8 +7,8 @@
 namespace morepro::host {
 
 /// One balance over every sampling interval: increment = regressors * coefficients + what the model lacks.
-/// Inputs are held, so that their integrals are exact; sampled signals by the trapezoid, the current by the exact
-/// weights of the electrical lag. NaN where a sample is missing.
+/// Inputs are held, so that their integrals are exact; sampled signals by the trapezoid, the current by the
+/// exact weights of the electrical lag. NaN where a sample is missing.
 struct BalanceIncrements {
   gap::Balance balance = gap::Balance::kSpindleTorque;
   Eigen::MatrixXf columns;  ///< intervals x [nominal regressors, effects in the model, increment]

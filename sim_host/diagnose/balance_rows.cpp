@@ -52,13 +52,15 @@ Eigen::VectorXd residual_of(const Window& window, const Coefficients& coefficien
 
 /// Weighted least squares over some windows; without the effect, its coefficient is 0.
 template <class Chosen>
-Coefficients fitted(const std::vector<Window>& windows, const Scales& scale, bool with_effect, Chosen chosen) {
+Coefficients fitted(const std::vector<Window>& windows, const Scales& scale, bool with_effect,
+                    Chosen chosen) {
   const Eigen::Index width = windows.front().rows.cols();
   Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(width, width);
   for (const Window& window : windows) {
     if (!chosen(window)) continue;
     Eigen::MatrixXd rows = window.rows;
-    for (Eigen::Index r = 0; r < rows.rows(); ++r) rows.row(r) /= scale[static_cast<std::size_t>(r)][window.in_contact];
+    for (Eigen::Index r = 0; r < rows.rows(); ++r)
+      rows.row(r) /= scale[static_cast<std::size_t>(r)][window.in_contact];
     moments += rows.transpose() * rows;
   }
   std::vector<Eigen::Index> active;
@@ -77,7 +79,8 @@ Coefficients fitted(const std::vector<Window>& windows, const Scales& scale, boo
   }
   const LinearFit solution = fit(moments, active, precision, target);
   Coefficients coefficient = Coefficients::Zero(width - 1);
-  for (std::size_t i = 0; i < active.size(); ++i) coefficient(active[i]) = solution.coefficient(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < active.size(); ++i)
+    coefficient(active[i]) = solution.coefficient(static_cast<Eigen::Index>(i));
   return coefficient;
 }
 
@@ -87,12 +90,14 @@ Scales scales_of(const std::vector<Window>& windows, const Coefficients& coeffic
   for (const Window& window : windows) {
     const Eigen::VectorXd residual = residual_of(window, coefficient);
     for (std::size_t r = 0; r < kRowsPerWindow; ++r) {
-      sum[r][window.in_contact] += residual(static_cast<Eigen::Index>(r)) * residual(static_cast<Eigen::Index>(r));
+      sum[r][window.in_contact] +=
+          residual(static_cast<Eigen::Index>(r)) * residual(static_cast<Eigen::Index>(r));
       count[r][window.in_contact] += 1.0;
     }
   }
   for (std::size_t r = 0; r < kRowsPerWindow; ++r)
-    for (std::size_t c = 0; c < 2; ++c) sum[r][c] = count[r][c] > 0.0 ? std::sqrt(std::max(sum[r][c] / count[r][c], 1.0e-300)) : 1.0;
+    for (std::size_t c = 0; c < 2; ++c)
+      sum[r][c] = count[r][c] > 0.0 ? std::sqrt(std::max(sum[r][c] / count[r][c], 1.0e-300)) : 1.0;
   return sum;
 }
 

@@ -8,9 +8,9 @@
 
 namespace morepro::host {
 
-/// Powers of one balance, window by window, in units of the noise floor: what the recording leaves of a balance
-/// that is integrated exactly over every sampling interval, in smooth windows. The floor is what the model with
-/// effects leaves on average, band by band and with and without contact.
+/// Powers of one balance, window by window, in units of the noise floor: what the recording leaves of a
+/// balance that is integrated exactly over every sampling interval, in smooth windows. The floor is what the
+/// model with effects leaves on average, band by band and with and without contact.
 struct BalanceRows {
   gap::Balance balance = gap::Balance::kSpindleTorque;
   std::vector<WindowPower> before{};  ///< nominal parameters refitted to these rows

@@ -72,7 +72,8 @@ constexpr std::size_t kWatches = 12;
 constexpr std::size_t kShift = 750;
 
 /// Shows a recording to a watch whose first stretch begins at row `first`.
-void show(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first, Watch& watch) {
+void show(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
+          Watch& watch) {
   FrameSource frames(signals, machine, 0);
   while (frames.row() < signals.rows) {
     const std::size_t row = frames.row();
@@ -86,7 +87,8 @@ void show(const RecordingSignals& signals, const MachineParameters& machine, std
 gap::GapFinding found_on_board(const RecordingSignals& signals, const MachineParameters& machine,
                                const gap::GapSettings& settings) {
   const auto new_watch = [&] {
-    return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / signals.rate_hz, settings);
+    return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / signals.rate_hz,
+                                   settings);
   };
   const auto all = new_watch();
   for (std::size_t k = 0; k < kWatches; ++k) {

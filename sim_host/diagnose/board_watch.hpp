@@ -13,8 +13,8 @@ namespace morepro::host {
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
                                const MachineParameters& refitted, const gap::GapSettings& settings);
 
-/// The settings as a machine file states them. `rate_ratio`: of the rate that they were found at, over that of
-/// the recording; noise adds up over intervals.
+/// The settings as a machine file states them. `rate_ratio`: of the rate that they were found at, over that
+/// of the recording; noise adds up over intervals.
 GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio);
 
 /// The same verdict; and where that names an effect, one side's first name is among the other side's aliases.

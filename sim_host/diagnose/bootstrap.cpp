@@ -31,7 +31,8 @@ Scores scores_of(const AxisFit& fit, const GapStatistics& statistics) {
   Scores scores;
   scores.rows = statistics.total_rows();
   scores.rss = total(width - 1, width - 1);
-  scores.moments = total.block(parameters, parameters, candidates, candidates) - across.transpose() * projection;
+  scores.moments =
+      total.block(parameters, parameters, candidates, candidates) - across.transpose() * projection;
   scores.of_block.resize(candidates, static_cast<Eigen::Index>(statistics.block.size()));
   for (std::size_t b = 0; b < statistics.block.size(); ++b) {
     const Eigen::MatrixXd block = statistics.block[b].selfadjointView<Eigen::Lower>();
@@ -42,7 +43,8 @@ Scores scores_of(const AxisFit& fit, const GapStatistics& statistics) {
   return scores;
 }
 
-double gain_of_form(const Scores& scores, const Eigen::VectorXd& score, Eigen::Index first, Eigen::Index parts) {
+double gain_of_form(const Scores& scores, const Eigen::VectorXd& score, Eigen::Index first,
+                    Eigen::Index parts) {
   Eigen::MatrixXd a = scores.moments.block(first, first, parts, parts);
   if (!(a.diagonal().minCoeff() > 0.0)) return 0.0;
   a.diagonal() *= 1.0 + 1.0e-9;
@@ -89,13 +91,16 @@ ChanceEvidence chance_evidence(const AxisFit& fit, const GapStatistics& statisti
   for (int run = 0; run < runs; ++run) {
     Eigen::VectorXd sign(scores.of_block.cols());
     for (Eigen::Index b = 0; b < sign.size(); ++b)
-      sign(b) = (mixed(mixed(seed, static_cast<std::uint64_t>(run)), static_cast<std::uint64_t>(b)) & 1U) != 0 ? 1.0 : -1.0;
+      sign(b) = (mixed(mixed(seed, static_cast<std::uint64_t>(run)), static_cast<std::uint64_t>(b)) & 1U) != 0
+                    ? 1.0
+                    : -1.0;
     evidence.push_back(best_evidence(scores, scores.of_block * sign, forms));
     on_run();
   }
   if (evidence.empty()) return chance;
   std::sort(evidence.begin(), evidence.end());
-  chance.quantile99 = evidence[static_cast<std::size_t>(0.99 * static_cast<double>(evidence.size() - 1) + 0.5)];
+  chance.quantile99 =
+      evidence[static_cast<std::size_t>(0.99 * static_cast<double>(evidence.size() - 1) + 0.5)];
   return chance;
 }
 

@@ -15,7 +15,8 @@ class Forms {
  public:
   explicit Forms(std::span<const Effect> excluded) : excluded_(excluded) {}
 
-  void add(Effect effect, std::initializer_list<double> shapes, std::uint8_t parts = 1, std::uint8_t kind = 0) {
+  void add(Effect effect, std::initializer_list<double> shapes, std::uint8_t parts = 1,
+           std::uint8_t kind = 0) {
     if (std::find(excluded_.begin(), excluded_.end(), effect) != excluded_.end()) return;
     for (const double shape : shapes)
       forms.push_back({.effect = effect, .kind = kind, .parts = parts, .shape = static_cast<float>(shape)});
@@ -59,7 +60,8 @@ void add_torques(Forms& forms, const RecordingSignals& signals) {
   if (signals.has(Channel::kArmatureCurrent)) forms.add(Effect::kTorqueConstantSaturation);
   // Faster resonances cannot be told from how the samples lie.
   for (const double frequency_hz : {60, 120, 240, 480, 960})
-    if (frequency_hz < kFastestResonance * signals.rate_hz) forms.add(Effect::kShaftCompliance, {frequency_hz});
+    if (frequency_hz < kFastestResonance * signals.rate_hz)
+      forms.add(Effect::kShaftCompliance, {frequency_hz});
 }
 
 void add_voltages(Forms& forms, const RecordingSignals& signals, double step_s) {
@@ -117,8 +119,8 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
 
 }  // namespace
 
-std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals, const GapModel& model,
-                                             std::span<const gap::Effect> excluded) {
+std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals,
+                                             const GapModel& model, std::span<const gap::Effect> excluded) {
   const double step_s = 1.0 / signals.rate_hz;
   Forms forms(excluded);
   if (axis == Axis::kFeed) {

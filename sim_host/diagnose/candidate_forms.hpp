@@ -10,8 +10,8 @@
 namespace morepro::host {
 
 /// Every form of every effect that the recording could show on one axis, without the excluded effects.
-std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals, const GapModel& model,
-                                             std::span<const gap::Effect> excluded);
+std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals,
+                                             const GapModel& model, std::span<const gap::Effect> excluded);
 
 /// Structure without a name, for what the catalogue does not explain.
 std::vector<gap::EffectForm> unnamed_forms(Axis axis, const RecordingSignals& signals);

@@ -12,16 +12,16 @@ namespace morepro::host {
 namespace {
 
 constexpr double kLeastEvidence = 40.0;
-constexpr double kOutlier = 6.0;      // deviations beyond count as this
+constexpr double kOutlier = 6.0;  // deviations beyond count as this
 // Of squares of rates over noise, in 1/s2: from what takes a second to be seen to a microsecond's part.
 constexpr std::size_t kBins = 320;
 constexpr double kFirstDecade = 0.0;
 constexpr double kBinsPerDecade = 20.0;
-// By neighbours. The observer takes part of a jitter for a change of the state, which comes back with the other sign: up
-// to half of it. Where a law is wrong it is nearly all, of either sign.
+// By neighbours. The observer takes part of a jitter for a change of the state, which comes back with the
+// other sign: up to half of it. Where a law is wrong it is nearly all, of either sign.
 constexpr double kMostShared = 0.3;
 constexpr double kLeastShared = -0.6;
-constexpr double kSizeError = 0.05;   // relative: between which two rates an instant lies is not recorded
+constexpr double kSizeError = 0.05;  // relative: between which two rates an instant lies is not recorded
 constexpr std::size_t kFewest = 400;
 
 /// Residuals that a jitter would add the same share to, in units of the observer's variance.
@@ -50,8 +50,8 @@ struct Residuals {
   }
 };
 
-/// Products of neighbouring residuals and rates, and what they would be with residuals of one second times the rate: a
-/// wrong law makes residuals that go with rates, a jitter knows nothing of its neighbour.
+/// Products of neighbouring residuals and rates, and what they would be with residuals of one second times
+/// the rate: a wrong law makes residuals that go with rates, a jitter knows nothing of its neighbour.
 struct Togetherness {
   double shared = 0.0;
   double per_s2 = 0.0;
@@ -73,12 +73,15 @@ struct Evaluation {
   std::vector<Togetherness> togetherness;  ///< of each sensor
 };
 
-/// Rates of an axis's two sensors at the end of the interval that begins at a frame, as the model tells them: by what
-/// is measured at its beginning and its input, so that they know nothing of the next measurement.
+/// Rates of an axis's two sensors at the end of the interval that begins at a frame, as the model tells them:
+/// by what is measured at its beginning and its input, so that they know nothing of the next measurement.
 class Rates {
  public:
   Rates(Axis axis, const RecordingSignals& signals, const GapModel& model)
-      : axis_(axis), period_s_(1.0 / signals.rate_hz), plant_(model.machine), frames_(signals, model.machine, 0) {}
+      : axis_(axis),
+        period_s_(1.0 / signals.rate_hz),
+        plant_(model.machine),
+        frames_(signals, model.machine, 0) {}
 
   /// Of the interval that ends at `row`; rows in ascending order.
   std::array<double, kSensorsPerAxis> at(std::size_t row) {
@@ -130,8 +133,8 @@ void look_at(const AxisFit& fit, const GapModel& model, Evaluation& evaluation) 
   });
 }
 
-/// Twice the negative logarithm of the likelihood of residuals of variance (noise + jitter_s2 growth), for the noise
-/// that fits best.
+/// Twice the negative logarithm of the likelihood of residuals of variance (noise + jitter_s2 growth), for
+/// the noise that fits best.
 double unlikeliness(const Residuals& r, double jitter_s2) {
   constexpr int kRounds = 12;
   double total = 0.0;
@@ -202,7 +205,8 @@ Jitter best_jitter(const Evaluation& evaluation, double period_s) {
   return best;
 }
 
-/// Process noise that was fitted without a jitter has taken part of it: less of it may be more likely with one.
+/// Process noise that was fitted without a jitter has taken part of it: less of it may be more likely with
+/// one.
 Jitter with_its_noise(std::span<const AxisFit* const> fits, Jitter best, double period_s) {
   for (double share = 0.5; share > 0.01; share *= 0.5) {
     const Jitter here = best_jitter(evaluate(fits, share), period_s);
@@ -247,8 +251,8 @@ std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits) {
   if (!(evidence > kLeastEvidence) || is_wrong_law(evaluation, first.size_s)) return std::nullopt;
   const Jitter jitter = with_its_noise(fits, first, period_s);
   const double error = std::hypot(relative_error(evaluation, first), kSizeError);
-  return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, jitter.size_s, error * jitter.size_s,
-                       evidence};
+  return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, jitter.size_s,
+                       error * jitter.size_s, evidence};
 }
 
 }  // namespace morepro::host

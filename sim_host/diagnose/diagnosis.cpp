@@ -27,11 +27,12 @@ namespace {
 using gap::Effect;
 
 constexpr double kFixedThreshold = 40.0;
-// Chance reached 70 once in eighty recordings of machines like their model; causes that are in no catalogue 500 and
-// more.
+// Chance reached 70 once in eighty recordings of machines like their model; causes that are in no catalogue
+// 500 and more.
 constexpr double kLeastUnnamed = 150.0;
 constexpr double kUnseen = 60.0;  // structure that may hide in the noise
-// Of the excess. Shapes that are not the catalogue's leave up to a quarter, causes that are not in it leave half and more.
+// Of the excess. Shapes that are not the catalogue's leave up to a quarter, causes that are not in it leave
+// half and more.
 constexpr double kUnexplainedShare = 0.25;
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
@@ -45,7 +46,8 @@ struct AxisOutcome {
 
 bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
   if (axis == Axis::kSpindle)
-    return machine.has_spindle && signals.has(Channel::kArmatureVoltage) && signals.has(Channel::kSpindleSpeed);
+    return machine.has_spindle && signals.has(Channel::kArmatureVoltage) &&
+           signals.has(Channel::kSpindleSpeed);
   return machine.has_feed && signals.has(Channel::kFeedForce) &&
          (signals.has(Channel::kFeedSpeed) || signals.has(Channel::kFeedPosition));
 }
@@ -81,13 +83,15 @@ class Diagnosis {
   }
 
  private:
-  // Sizes and widths are stated at the machine's reference point, which the file alone knows; where it knows none,
-  // the recording's own is better to search with.
+  // Sizes and widths are stated at the machine's reference point, which the file alone knows; where it knows
+  // none, the recording's own is better to search with.
   gap::EffectScales<double> file_scales() const {
     const MachineParameters& machine = machine_.configuration.machine;
     return {machine, reference_point_of(machine)};
   }
-  gap::EffectScales<double> recording_scales() const { return {machine_.configuration.machine, datasheet_.point}; }
+  gap::EffectScales<double> recording_scales() const {
+    return {machine_.configuration.machine, datasheet_.point};
+  }
 
   void describe_recording() {
     result_.rows = signals_.rows - signals_.missing_rows;
@@ -96,12 +100,12 @@ class Diagnosis {
     result_.missing_rows = signals_.missing_rows;
   }
 
-  /// An axis that is known by its position alone: from one fast sample to the next it moves by little more than
-  /// the position's steps and what shakes it, and friction is seen over longer times.
+  /// An axis that is known by its position alone: from one fast sample to the next it moves by little more
+  /// than the position's steps and what shakes it, and friction is seen over longer times.
   void thin_out() {
     constexpr double kFastEnoughHz = 200.0;
-    const bool is_position_only = signals_.has(Channel::kFeedPosition) && !signals_.has(Channel::kFeedSpeed) &&
-                                  !signals_.has(Channel::kSpindleSpeed);
+    const bool is_position_only = signals_.has(Channel::kFeedPosition) &&
+                                  !signals_.has(Channel::kFeedSpeed) && !signals_.has(Channel::kSpindleSpeed);
     const auto factor = static_cast<std::size_t>(signals_.rate_hz / kFastEnoughHz);
     if (is_position_only && factor > 1) signals_ = thinned(signals_, factor);
   }
@@ -109,7 +113,8 @@ class Diagnosis {
   void try_axis(Axis axis) {
     if (!is_evaluable(axis, signals_, machine_) || signals_.rows < kFewestRows) return;
     const auto on_progress = [&](double share) {
-      options_.on_progress(axis == Axis::kSpindle ? "effects of the spindle" : "effects of the feed axis", share);
+      options_.on_progress(axis == Axis::kSpindle ? "effects of the spindle" : "effects of the feed axis",
+                           share);
     };
     AxisOutcome outcome{
         search_effects(axis, signals_, datasheet_, options_.excluded, kFixedThreshold, on_progress), {}, {}};
@@ -131,16 +136,17 @@ class Diagnosis {
 
   void leave_out_excluded_faults() {
     std::erase_if(faults_, [this](const SamplingFault& fault) {
-      return std::find(options_.excluded.begin(), options_.excluded.end(), fault.effect) != options_.excluded.end();
+      return std::find(options_.excluded.begin(), options_.excluded.end(), fault.effect) !=
+             options_.excluded.end();
     });
   }
 
   void bootstrap(AxisOutcome& outcome) {
     const AxisDiagnosis& diagnosis = outcome.diagnosis;
     int done = 0;
-    outcome.chance = chance_evidence(diagnosis.fit, diagnosis.rest, diagnosis.others, options_.bootstrap_runs, options_.seed, [&] {
-      options_.on_progress("bootstrap", ++done / static_cast<double>(options_.bootstrap_runs));
-    });
+    outcome.chance = chance_evidence(
+        diagnosis.fit, diagnosis.rest, diagnosis.others, options_.bootstrap_runs, options_.seed,
+        [&] { options_.on_progress("bootstrap", ++done / static_cast<double>(options_.bootstrap_runs)); });
   }
 
   static double threshold_of(const AxisOutcome& outcome) {
@@ -150,10 +156,13 @@ class Diagnosis {
   void drop_what_chance_explains(AxisOutcome& outcome) {
     auto& found = outcome.diagnosis.found;
     const double threshold = threshold_of(outcome);
-    const auto is_chance = [&](const Finding& f) { return !(f.evidence >= outcome.diagnosis.needed(f, threshold)); };
+    const auto is_chance = [&](const Finding& f) {
+      return !(f.evidence >= outcome.diagnosis.needed(f, threshold));
+    };
     if (std::none_of(found.begin(), found.end(), is_chance)) return;
     std::vector<Finding> kept;
-    std::copy_if(found.begin(), found.end(), std::back_inserter(kept), [&](const Finding& f) { return !is_chance(f); });
+    std::copy_if(found.begin(), found.end(), std::back_inserter(kept),
+                 [&](const Finding& f) { return !is_chance(f); });
     found = std::move(kept);
     if (found.empty()) {
       outcome.diagnosis.fit = outcome.diagnosis.nominal;
@@ -187,8 +196,7 @@ class Diagnosis {
     bool has_wrong_parameters = false;
     bool has_excitation = false;
     for (const AxisOutcome& outcome : outcomes_) {
-      result_.threshold_evidence =
-          std::max(result_.threshold_evidence, threshold_of(outcome));
+      result_.threshold_evidence = std::max(result_.threshold_evidence, threshold_of(outcome));
       result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
       const double leftover = outcome.leftover.gain >= kLeastUnnamed ? outcome.leftover.gain : 0.0;
       unnamed += excess_of(leftover);
@@ -202,22 +210,29 @@ class Diagnosis {
     result_.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
     const bool has_effect = named > 0.0 || !faults_.empty();
     if (!faults_.empty()) unnamed = 0.0;  // what a faulty sampling leaves is no structure of the machine
-    if (outcomes_.empty() || !has_excitation) result_.verdict = Verdict::kInsufficientExcitation;
-    else if (unnamed > kUnexplainedShare * (known + named + unnamed)) result_.verdict = Verdict::kUnexplained;
-    else if (has_effect) result_.verdict = Verdict::kEffect;
-    else result_.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
+    if (outcomes_.empty() || !has_excitation)
+      result_.verdict = Verdict::kInsufficientExcitation;
+    else if (unnamed > kUnexplainedShare * (known + named + unnamed))
+      result_.verdict = Verdict::kUnexplained;
+    else if (has_effect)
+      result_.verdict = Verdict::kEffect;
+    else
+      result_.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
     result_.explanation = explanation();
   }
 
   // What a deviance is worth as a share of the noise's power.
-  double excess_of(double deviance) const { return std::expm1(deviance / static_cast<double>(signals_.rows)); }
+  double excess_of(double deviance) const {
+    return std::expm1(deviance / static_cast<double>(signals_.rows));
+  }
 
   std::string explanation() const {
     switch (result_.verdict) {
       case Verdict::kNoGap:
         return "the datasheet's model explains the recording to its noise";
       case Verdict::kParameterError:
-        return "the structure of the model is right, values of the datasheet are not: see the parameters (a wrong gain of a "
+        return "the structure of the model is right, values of the datasheet are not: see the parameters (a "
+               "wrong gain of a "
                "sensor would look the same)";
       case Verdict::kEffect:
         return "the named effects explain what the datasheet's model leaves";
@@ -227,7 +242,8 @@ class Diagnosis {
         break;
     }
     if (signals_.rows < kFewestRows) return fmt::format("the recording is shorter than {} rows", kFewestRows);
-    if (outcomes_.empty()) return "no balance has its signals in the recording and its values in the machine file";
+    if (outcomes_.empty())
+      return "no balance has its signals in the recording and its values in the machine file";
     return "nothing moves enough in the recording to tell a single parameter";
   }
 
@@ -255,7 +271,8 @@ class Diagnosis {
         result_.which.push_back(effect);
     }
     for (const AxisOutcome& outcome : outcomes_)
-      for (const Finding& finding : outcome.diagnosis.found) result_.which.push_back(effect_of(finding, outcome));
+      for (const Finding& finding : outcome.diagnosis.found)
+        result_.which.push_back(effect_of(finding, outcome));
     std::stable_sort(result_.which.begin(), result_.which.end(),
                      [](const EffectResult& a, const EffectResult& b) { return a.evidence > b.evidence; });
   }
@@ -265,8 +282,8 @@ class Diagnosis {
     const double all = excess_of(outcome.leftover.gain + named_deviance(outcome));
     const double unnamed = all > 0.0 ? excess_of(outcome.leftover.gain) / all : 0.0;
     const double temperature = outcome.chance.temperature;
-    EffectResult effect = named_effect(finding, fit, {temperature, result_.threshold_evidence, unnamed,
-                                                     causes_of(outcome.diagnosis.found)});
+    EffectResult effect = named_effect(
+        finding, fit, {temperature, result_.threshold_evidence, unnamed, causes_of(outcome.diagnosis.found)});
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
@@ -280,8 +297,8 @@ class Diagnosis {
       const std::vector<BalanceRows> rows = balance_rows(outcome.diagnosis);
       for (BalanceResult& balance : balances_of(outcome.diagnosis, rows)) {
         const bool has_gap = balance.residual_ratio > kLeastGap * balance.residual_ratio_after;
-        unnamed.push_back({leftover_in(balance.balance, outcome),
-                           has_gap ? kUnseen * outcome.chance.temperature : 0.0});
+        unnamed.push_back(
+            {leftover_in(balance.balance, outcome), has_gap ? kUnseen * outcome.chance.temperature : 0.0});
         mark(balance, outcome);
         result_.where.push_back(std::move(balance));
       }
@@ -298,14 +315,15 @@ class Diagnosis {
   static double leftover_in(gap::Balance balance, const AxisOutcome& outcome) {
     if (outcome.leftover.gain < kLeastUnnamed) return 0.0;
     const double torque = outcome.leftover.torque_share;
-    const double share = balance == gap::Balance::kArmatureVoltage  ? 1.0 - torque
+    const double share = balance == gap::Balance::kArmatureVoltage ? 1.0 - torque
                          : balance == gap::Balance::kSpindleTorque ? torque
                                                                    : 1.0;
     return share * outcome.leftover.gain;
   }
 
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
-    for (const SamplingFault& fault : faults_) balance.is_significant |= balance.balance == balance_of(fault.channel);
+    for (const SamplingFault& fault : faults_)
+      balance.is_significant |= balance.balance == balance_of(fault.channel);
     bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
       const auto group = gap::info_of(finding.effect.form.effect).group;
@@ -362,8 +380,10 @@ class Diagnosis {
     machine.has_gap = true;
     for (const AxisOutcome& outcome : outcomes_) {
       const MachineParameters& fitted = outcome.diagnosis.fit.model().machine;
-      if (outcome.diagnosis.fit.axis() == Axis::kSpindle) machine.configuration.machine.spindle = fitted.spindle;
-      else machine.configuration.machine.feed = fitted.feed;
+      if (outcome.diagnosis.fit.axis() == Axis::kSpindle)
+        machine.configuration.machine.spindle = fitted.spindle;
+      else
+        machine.configuration.machine.feed = fitted.feed;
       for (const auto& effect : outcome.diagnosis.fit.model().effects)
         machine.effects.push_back(gap::restated(effect, recording_scales(), file_scales()));
     }

@@ -17,9 +17,9 @@ struct DiagnosisOptions {
   std::function<void(std::string_view stage, double share)> on_progress = [](std::string_view, double) {};
 };
 
-/// Where the model of the machine is wrong in a recording, which effect explains it, and how far the gap shrinks
-/// with it. `with_effects` becomes the machine that was found: refitted parameters and effects. The same seed gives
-/// the same result.
+/// Where the model of the machine is wrong in a recording, which effect explains it, and how far the gap
+/// shrinks with it. `with_effects` becomes the machine that was found: refitted parameters and effects. The
+/// same seed gives the same result.
 DiagnosisResult diagnose(RecordingSignals signals, const MachineDescription& machine,
                          const DiagnosisOptions& options, MachineDescription& with_effects);
 

@@ -12,11 +12,19 @@
 
 namespace morepro::host {
 
-enum class Verdict : std::uint8_t { kNoGap = 0, kParameterError, kEffect, kUnexplained, kInsufficientExcitation };
+enum class Verdict : std::uint8_t {
+  kNoGap = 0,
+  kParameterError,
+  kEffect,
+  kUnexplained,
+  kInsufficientExcitation
+};
 
-inline constexpr std::array<std::string_view, 5> kVerdictNames{"no_gap", "parameter_error", "effect", "unexplained",
-                                                               "insufficient_excitation"};
-constexpr std::string_view name_of(Verdict verdict) { return kVerdictNames[static_cast<std::size_t>(verdict)]; }
+inline constexpr std::array<std::string_view, 5> kVerdictNames{"no_gap", "parameter_error", "effect",
+                                                               "unexplained", "insufficient_excitation"};
+constexpr std::string_view name_of(Verdict verdict) {
+  return kVerdictNames[static_cast<std::size_t>(verdict)];
+}
 
 /// A part of a recording in which a balance is looked at for itself.
 struct GapCell {
@@ -92,8 +100,8 @@ struct DiagnosisResult {
   double threshold_evidence = 0.0;
   double temperature = 1.0;
   int bootstrap_runs = 0;
-  GapTuning for_board;     ///< what a board needs to know to find the same
-  gap::GapFinding board;   ///< what it then says about this recording
+  GapTuning for_board;    ///< what a board needs to know to find the same
+  gap::GapFinding board;  ///< what it then says about this recording
   bool board_agrees = false;
 };
 

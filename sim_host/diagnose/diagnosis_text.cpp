@@ -15,8 +15,9 @@ std::string where_text(const DiagnosisResult& r) {
       text += fmt::format("  {:16}  not evaluated: {}\n", gap::name_of(b.balance), b.reason);
       continue;
     }
-    text += fmt::format("  {:16}  residual ratio {:.3f}, with the effects {:.3f}{}\n", gap::name_of(b.balance),
-                        b.residual_ratio, b.residual_ratio_after, b.is_significant ? "  <- gap" : "");
+    text +=
+        fmt::format("  {:16}  residual ratio {:.3f}, with the effects {:.3f}{}\n", gap::name_of(b.balance),
+                    b.residual_ratio, b.residual_ratio_after, b.is_significant ? "  <- gap" : "");
     if (b.onset_s) text += fmt::format("  {:16}  sets in at {:.2f} s\n", "", *b.onset_s);
   }
   return text;
@@ -26,8 +27,8 @@ std::string which_text(const DiagnosisResult& r) {
   if (r.which.empty()) return "";
   std::string text = "which\n";
   for (const EffectResult& e : r.which) {
-    text += fmt::format("  {} = {:.4g} +- {:.2g} {}, confidence {:.0f} %\n", gap::name_of(e.effect), e.magnitude,
-                        e.standard_error, gap::info_of(e.effect).unit, 100.0 * e.confidence);
+    text += fmt::format("  {} = {:.4g} +- {:.2g} {}, confidence {:.0f} %\n", gap::name_of(e.effect),
+                        e.magnitude, e.standard_error, gap::info_of(e.effect).unit, 100.0 * e.confidence);
     if (e.alias_set.size() < 2) continue;
     text += "    cannot be told from";
     for (std::size_t i = 1; i < e.alias_set.size(); ++i)
@@ -42,7 +43,8 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:8.3f} %", 100.0 * share) : fmt::format("{:>10}", "diverges");
 }
 
-std::string models_text(const char* title, const std::array<std::optional<ModelComparison>, gap::kBalanceCount>& m) {
+std::string models_text(const char* title,
+                        const std::array<std::optional<ModelComparison>, gap::kBalanceCount>& m) {
   std::string text;
   for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
     if (!m[b]) continue;
@@ -59,14 +61,16 @@ std::string shrinkage_text(const DiagnosisResult& r) {
     text += fmt::format("  {:.1f} % of the gap is closed on held-out pieces (90 %: {:.1f} .. {:.1f} %)\n",
                         100.0 * r.shrinkage.share_closed, 100.0 * r.shrinkage.interval90[0],
                         100.0 * r.shrinkage.interval90[1]);
-  return text + models_text("one step", r.shrinkage.one_step_nrmse) + models_text("free run", r.shrinkage.free_run_nrmse);
+  return text + models_text("one step", r.shrinkage.one_step_nrmse) +
+         models_text("free run", r.shrinkage.free_run_nrmse);
 }
 
 std::string parameter_text(const DiagnosisResult& r) {
   std::string text = "parameters\n";
   for (const ParameterResult& p : r.parameters) {
-    text += fmt::format("  {:26}  datasheet {:11.5g}  refit {:11.5g} +- {:.2g}{}\n", p.name, p.datasheet, p.refit,
-                        p.standard_error, p.is_identifiable ? "" : "  not identifiable: " + p.reason);
+    text +=
+        fmt::format("  {:26}  datasheet {:11.5g}  refit {:11.5g} +- {:.2g}{}\n", p.name, p.datasheet, p.refit,
+                    p.standard_error, p.is_identifiable ? "" : "  not identifiable: " + p.reason);
   }
   return text;
 }
@@ -74,11 +78,11 @@ std::string parameter_text(const DiagnosisResult& r) {
 }  // namespace
 
 std::string diagnosis_text(const DiagnosisResult& r) {
-  return fmt::format("recording   {} rows at {:g} Hz, {:.3f} s, {} missing\nverdict     {}\n            {}\n", r.rows,
-                     r.rate_hz, r.duration_s, r.missing_rows, name_of(r.verdict), r.explanation) +
+  return fmt::format("recording   {} rows at {:g} Hz, {:.3f} s, {} missing\nverdict     {}\n            {}\n",
+                     r.rows, r.rate_hz, r.duration_s, r.missing_rows, name_of(r.verdict), r.explanation) +
          where_text(r) + which_text(r) + shrinkage_text(r) + parameter_text(r) +
-         fmt::format("threshold   evidence {:.1f}, temperature {:.2f}, {} bootstrap runs\n", r.threshold_evidence,
-                     r.temperature, r.bootstrap_runs);
+         fmt::format("threshold   evidence {:.1f}, temperature {:.2f}, {} bootstrap runs\n",
+                     r.threshold_evidence, r.temperature, r.bootstrap_runs);
 }
 
 }  // namespace morepro::host

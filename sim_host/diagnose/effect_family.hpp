@@ -3,8 +3,8 @@
 
 namespace morepro::host {
 
-/// What has the same cause, shows the same way and differs in shape: what is left of one after its own shape was
-/// fitted looks like the others.
+/// What has the same cause, shows the same way and differs in shape: what is left of one after its own shape
+/// was fitted looks like the others.
 enum class Family { kNone, kDryFriction, kPerTurn, kElectricLag, kFeedLag };
 constexpr Family family_of(gap::Effect effect) {
   switch (effect) {

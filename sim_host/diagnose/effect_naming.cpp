@@ -11,7 +11,8 @@ namespace {
 
 using gap::Effect;
 
-// No catalogue has exactly a machine's shapes: evidence that differs by this share of the best does not decide.
+// No catalogue has exactly a machine's shapes: evidence that differs by this share of the best does not
+// decide.
 constexpr double kMisfit = 0.015;
 // Through the speed alone, what brakes the spindle and what takes from its voltage look nearly the same.
 constexpr double kMisfitOfOneSignal = 0.15;
@@ -19,8 +20,8 @@ constexpr double kTwinShare = 0.4;
 constexpr double kShapeError = 0.01;  // of a size, from a shape that is not quite the machine's
 constexpr double kAliasOdds = 20.0;
 constexpr std::size_t kMostAliases = 3;
-// Three and more independent causes at once are rarer than one that has no name and looks like them: on tests/blind
-// half of the names are right then.
+// Three and more independent causes at once are rarer than one that has no name and looks like them: on
+// tests/blind half of the names are right then.
 constexpr std::size_t kUsualCauses = 2;
 constexpr double kCrowded = 0.6;
 
@@ -36,11 +37,13 @@ bool is_one_signal_for_two(const AxisFit& fit) {
 /// The same load on the other side of a motor whose current nobody measured.
 std::optional<Effect> twin_of(const Finding& finding) {
   const Effect effect = finding.effect.form.effect;
-  const bool is_friction = effect == Effect::kSpindleCoulombFriction || effect == Effect::kSpindleStribeckFriction;
+  const bool is_friction =
+      effect == Effect::kSpindleCoulombFriction || effect == Effect::kSpindleStribeckFriction;
   if (!is_friction && effect != Effect::kBrushVoltageDrop) return std::nullopt;
   const Effect twin = is_friction ? Effect::kBrushVoltageDrop : Effect::kSpindleCoulombFriction;
   for (const Candidate& rival : finding.rivals)
-    if (rival.form.effect == twin && rival.evidence > kTwinShare * finding.rivals.front().evidence) return twin;
+    if (rival.form.effect == twin && rival.evidence > kTwinShare * finding.rivals.front().evidence)
+      return twin;
   return std::nullopt;
 }
 
@@ -68,7 +71,8 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
     sum += std::exp(-behind / (2.0 * temperature));
     const bool is_listed = std::find(effect.alias_set.begin(), effect.alias_set.end(), rival.form.effect) !=
                            effect.alias_set.end();
-    if (behind < 2.0 * temperature * std::log(kAliasOdds) && !is_listed && effect.alias_set.size() < kMostAliases)
+    if (behind < 2.0 * temperature * std::log(kAliasOdds) && !is_listed &&
+        effect.alias_set.size() < kMostAliases)
       effect.alias_set.push_back(rival.form.effect);
   }
   effect.confidence = (1.0 - context.unnamed_share) / sum;

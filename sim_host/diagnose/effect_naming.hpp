@@ -18,8 +18,8 @@ struct NamingContext {
 /// Independent causes among the effects of an axis: the parts of friction are one.
 std::size_t causes_of(std::span<const Finding> found);
 
-/// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size, which
-/// depends on the reference point that it is stated at.
+/// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size,
+/// which depends on the reference point that it is stated at.
 EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context);
 
 /// Standard error of the size of an effect, as a share of the size.

@@ -35,8 +35,8 @@ std::vector<gap::EffectForm> around(gap::EffectForm form, double centre, double 
   return forms;
 }
 
-void take_best(const AxisFit& axis, const GapStatistics& statistics, const std::vector<gap::EffectForm>& forms,
-               Candidate& finest) {
+void take_best(const AxisFit& axis, const GapStatistics& statistics,
+               const std::vector<gap::EffectForm>& forms, Candidate& finest) {
   const Eigen::MatrixXd moments = statistics.total();
   const Eigen::Index width = moments.cols();
   const Remainder rest =
@@ -75,11 +75,14 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
     Candidate candidate{form, column, evidence_of(rest.rss, gain, rows, freedom), {}};
     candidate.coefficient.assign(coefficient.data(), coefficient.data() + coefficient.size());
     column += form.parts;
-    if (gap::acts_one_way(form.effect) && !(candidate.coefficient[0] > 0.0) && !is_known(axis.model(), form.effect))
+    if (gap::acts_one_way(form.effect) && !(candidate.coefficient[0] > 0.0) &&
+        !is_known(axis.model(), form.effect))
       continue;
     const auto place = best.find(form.effect);
-    if (place == best.end()) best.emplace(form.effect, candidate);
-    else if (candidate.evidence > place->second.evidence) place->second = candidate;
+    if (place == best.end())
+      best.emplace(form.effect, candidate);
+    else if (candidate.evidence > place->second.evidence)
+      place->second = candidate;
   }
   std::vector<Candidate> ranked;
   for (auto& [effect, candidate] : best) ranked.push_back(std::move(candidate));

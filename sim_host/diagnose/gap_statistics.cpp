@@ -132,7 +132,8 @@ double unlikeliness_of(const GapStatistics& statistics) {
     const auto& contact = statistics.in_contact[i];
     const auto cut = static_cast<double>(std::count(contact.begin(), contact.end(), true));
     const auto all = static_cast<double>(contact.size());
-    sum += statistics.log_variance[i] + 2.0 * ((all - cut) * std::log(white.scale[0]) + cut * std::log(white.scale[1])) +
+    sum += statistics.log_variance[i] +
+           2.0 * ((all - cut) * std::log(white.scale[0]) + cut * std::log(white.scale[1])) +
            all * std::log(white.left);
   }
   return sum;

@@ -15,13 +15,15 @@ struct GapStatistics {
   std::vector<Eigen::MatrixXd> block;
   std::vector<double> rows;  ///< of each block
   double block_s = 0.0;
-  /// May what is left remember itself? Of a thinned recording what remembers itself is structure: to whiten it would
-  /// judge by the reversals alone.
+  /// May what is left remember itself? Of a thinned recording what remembers itself is structure: to whiten
+  /// it would judge by the reversals alone.
   bool may_remember = true;
-  /// For the next whitening, and for looking at what is left: innovations over the observer's standard deviation.
+  /// For the next whitening, and for looking at what is left: innovations over the observer's standard
+  /// deviation.
   std::array<std::vector<float>, kSensorsPerAxis> normalised;
   std::array<std::vector<bool>, kSensorsPerAxis> in_contact;
-  std::array<double, kSensorsPerAxis> log_variance{};  ///< sum over the innovations, as the observer expects it
+  std::array<double, kSensorsPerAxis>
+      log_variance{};  ///< sum over the innovations, as the observer expects it
 
   [[nodiscard]] Eigen::MatrixXd total() const;
   [[nodiscard]] double total_rows() const;
@@ -31,8 +33,8 @@ struct GapStatistics {
 GapStatistics collect(Axis axis, const RecordingSignals& signals, const GapModel& model,
                       std::span<const gap::EffectForm> forms, const Whitening& whitening, double block_s);
 
-/// Twice the negative logarithm of the likelihood of a pass, with the whitening that fits it best: what models of
-/// different noise are compared by. Smaller is better.
+/// Twice the negative logarithm of the likelihood of a pass, with the whitening that fits it best: what
+/// models of different noise are compared by. Smaller is better.
 double unlikeliness_of(const GapStatistics& statistics);
 
 /// The whitening that fits what a pass has left.

@@ -26,8 +26,7 @@ struct SpindleMotion {
 template <class Observer>
 std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& model,
                                std::span<const gap::EffectForm> forms) {
-  auto observer =
-      std::make_unique<Observer>(model.machine, model.point, 1.0 / signals.rate_hz, model.noise);
+  auto observer = std::make_unique<Observer>(model.machine, model.point, 1.0 / signals.rate_hz, model.noise);
   for (const gap::EffectForm& form : forms) observer->terms().add(form);
   for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
   for (const gap::AppliedEffect& effect : model.effects) observer->terms().apply(effect);
@@ -62,9 +61,8 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model,
   }
 }
 
-void run_feed(const RecordingSignals& signals, const GapModel& model,
-              std::span<const gap::EffectForm> forms, std::size_t first, std::size_t last,
-              const OnInnovation& on_innovation) {
+void run_feed(const RecordingSignals& signals, const GapModel& model, std::span<const gap::EffectForm> forms,
+              std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
   const auto observer = make<Feed>(signals, model, forms);
   const auto rows = std::make_unique<Feed::Rows>();
   const std::size_t columns = gap::kFeedParameters + observer->terms().size();

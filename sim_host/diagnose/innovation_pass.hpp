@@ -38,8 +38,8 @@ void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& mo
                   std::span<const gap::EffectForm> forms, std::size_t first, std::size_t last,
                   const OnInnovation& on_innovation);
 
-/// What the effects of a model, known and found, do in every row of a recording: to the balances during the interval
-/// that begins there, to the sensors at its beginning.
+/// What the effects of a model, known and found, do in every row of a recording: to the balances during the
+/// interval that begins there, to the sensors at its beginning.
 struct EffectTrace {
   std::vector<gap::Contribution<double>> added;
   std::vector<gap::Contribution<double>> shown;

@@ -46,7 +46,8 @@ void look_for_functions(const AxisFit& fit, double least_evidence, Leftover& lef
   if (leftover.gain > 0.0) leftover.torque_share = torque / leftover.gain;
 }
 
-/// White innovations over the angle of the spindle: sums over equal turns, in units of their standard deviation.
+/// White innovations over the angle of the spindle: sums over equal turns, in units of their standard
+/// deviation.
 std::vector<float> over_angle(const std::vector<float>& white, const RecordingSignals& signals) {
   constexpr double kBinsPerTurn = 24.0;
   constexpr double kTurn = 6.283185307179586;
@@ -78,7 +79,8 @@ void look_for_lines(const AxisFit& fit, Leftover& leftover) {
     if (statistics.normalised[sensor].empty()) continue;
     const auto white = white_innovations(statistics, sensor, whitening[sensor]);
     double gain = line_gain(white);
-    if (fit.signals().has(Channel::kSpindleSpeed)) gain = std::max(gain, line_gain(over_angle(white, fit.signals())));
+    if (fit.signals().has(Channel::kSpindleSpeed))
+      gain = std::max(gain, line_gain(over_angle(white, fit.signals())));
     if (sensor == 0) torque = gain;
     largest += gain;
   }

@@ -8,8 +8,8 @@ namespace morepro::host {
 
 /// Structure in what a model leaves: how much of it is predictable, by anything.
 struct Leftover {
-  double gain = 0.0;       ///< deviance that nameless structure takes
-  double freedom = 0.0;    ///< coefficients that it takes it with
+  double gain = 0.0;     ///< deviance that nameless structure takes
+  double freedom = 0.0;  ///< coefficients that it takes it with
   bool is_periodic = false;
   double torque_share = 0.0;  ///< of the gain, spindle axis: the rest is voltage
 };

@@ -9,10 +9,11 @@ struct LinearFit {
   std::vector<Eigen::Index> active;
   Eigen::VectorXd coefficient{};  ///< of the active columns
   Eigen::MatrixXd covariance{};   ///< of the coefficients, for rows of unit variance
-  double rss = 0.0;             ///< of the rows, without the prior
+  double rss = 0.0;               ///< of the rows, without the prior
 };
 
-/// `precision` and `target`: per column of `moments` (0: no prior); the prior pulls a coefficient to its target.
+/// `precision` and `target`: per column of `moments` (0: no prior); the prior pulls a coefficient to its
+/// target.
 LinearFit fit(const Eigen::MatrixXd& moments, const std::vector<Eigen::Index>& active,
               const Eigen::VectorXd& precision, const Eigen::VectorXd& target);
 

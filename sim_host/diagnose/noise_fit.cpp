@@ -32,7 +32,8 @@ double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& 
 }
 
 /// `value` is part of the model, between `least` and `most`.
-void search(Axis axis, const RecordingSignals& signals, GapModel& model, double& value, double least, double most) {
+void search(Axis axis, const RecordingSignals& signals, GapModel& model, double& value, double least,
+            double most) {
   double best = unlikeliness(axis, signals, model);
   for (const double factor : {4.0, 0.25, 1.6, 0.625}) {
     for (;;) {
@@ -63,7 +64,8 @@ gap::GapNoise<double> least_noise(const Sensors& sensors) {
   return noise;
 }
 
-void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated, GapModel& model) {
+void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
+               GapModel& model) {
   auto& noise = model.noise;
   const auto search_step = [&](double& step, double sensor_variance) {
     const double sensor = std::sqrt(sensor_variance);

@@ -8,9 +8,10 @@ namespace morepro::host {
 /// Sensor variances of the machine file, and the least process noise that an observer is given.
 gap::GapNoise<double> least_noise(const Sensors& sensors);
 
-/// Chooses the process noise of one axis under which the innovations are most likely, on some stretches of the
-/// recording; never below that of `stated`, the machine file's. Of a thinned recording the position's noise too, which
-/// may be less than stated.
-void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated, GapModel& model);
+/// Chooses the process noise of one axis under which the innovations are most likely, on some stretches of
+/// the recording; never below that of `stated`, the machine file's. Of a thinned recording the position's
+/// noise too, which may be less than stated.
+void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
+               GapModel& model);
 
 }  // namespace morepro::host

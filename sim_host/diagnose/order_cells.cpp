@@ -51,7 +51,7 @@ struct OrderPowers {
 
 /// Power of the innovations of one sensor at every order, in pieces in which the spindle turns.
 OrderPowers powers(const AxisFit& fit, const GapModel& model, std::size_t sensor,
-                           const std::vector<double>& angles, const std::vector<int>& orders) {
+                   const std::vector<double>& angles, const std::vector<int>& orders) {
   OrderPowers result{.power = std::vector<double>(orders.size(), 0.0)};
   std::vector<std::complex<double>> sum(orders.size());
   std::size_t filled = 0;

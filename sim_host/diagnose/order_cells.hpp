@@ -6,9 +6,9 @@
 
 namespace morepro::host {
 
-/// Residual ratio of one balance at whole orders of the spindle's turn: 1 .. 8, teeth and twice the teeth. The
-/// innovations of the balance's sensor, before and with the effects, are demodulated by the spindle's angle. None
-/// where nothing was found, and where neither speed nor angle of the spindle are recorded.
+/// Residual ratio of one balance at whole orders of the spindle's turn: 1 .. 8, teeth and twice the teeth.
+/// The innovations of the balance's sensor, before and with the effects, are demodulated by the spindle's
+/// angle. None where nothing was found, and where neither speed nor angle of the spindle are recorded.
 std::vector<GapCell> order_cells(gap::Balance balance, const AxisDiagnosis& diagnosis);
 
 }  // namespace morepro::host

@@ -21,16 +21,18 @@ std::vector<Named> named(const AxisFit& fit) {
   const auto& f = fit.model().machine.feed;
   const auto& f0 = fit.datasheet().machine.feed;
   if (fit.axis() == Axis::kSpindle)
-    return {{"torque_constant_nm_a", s0.torque_constant_nm_a, s.torque_constant_nm_a,
-             "torque, friction and inertia have one common factor until a known contact load fixes it"},
-            {"viscous_friction_nms_rad", s0.viscous_friction_nms_rad, s.viscous_friction_nms_rad,
-             "it needs different speeds without contact"},
-            {"inertia_kgm2", s0.inertia_kgm2, s.inertia_kgm2, "it needs accelerations and a known contact load"},
-            {"resistance_ohm", s0.resistance_ohm, s.resistance_ohm,
-             "it needs currents that vary apart from the speed, such as contact on and off"},
-            {"back_emf_constant_vs_rad", s0.back_emf_constant_vs_rad, s.back_emf_constant_vs_rad,
-             "it needs speeds that vary apart from the current"},
-            {"inductance_h", s0.inductance_h, s.inductance_h, "it needs steps of the voltage, sampled within L/R"}};
+    return {
+        {"torque_constant_nm_a", s0.torque_constant_nm_a, s.torque_constant_nm_a,
+         "torque, friction and inertia have one common factor until a known contact load fixes it"},
+        {"viscous_friction_nms_rad", s0.viscous_friction_nms_rad, s.viscous_friction_nms_rad,
+         "it needs different speeds without contact"},
+        {"inertia_kgm2", s0.inertia_kgm2, s.inertia_kgm2, "it needs accelerations and a known contact load"},
+        {"resistance_ohm", s0.resistance_ohm, s.resistance_ohm,
+         "it needs currents that vary apart from the speed, such as contact on and off"},
+        {"back_emf_constant_vs_rad", s0.back_emf_constant_vs_rad, s.back_emf_constant_vs_rad,
+         "it needs speeds that vary apart from the current"},
+        {"inductance_h", s0.inductance_h, s.inductance_h,
+         "it needs steps of the voltage, sampled within L/R"}};
   return {{"mass_kg", f0.mass_kg, f.mass_kg, "it needs accelerations of the axis"},
           {"viscous_friction_ns_m", f0.viscous_friction_ns_m, f.viscous_friction_ns_m,
            "it needs different feed speeds"},
@@ -59,6 +61,8 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
   return results;
 }
 
-bool is_excited(const AxisFit& fit) { return fit.known_directions() >= (fit.axis() == Axis::kSpindle ? 2 : 1); }
+bool is_excited(const AxisFit& fit) {
+  return fit.known_directions() >= (fit.axis() == Axis::kSpindle ? 2 : 1);
+}
 
 }  // namespace morepro::host

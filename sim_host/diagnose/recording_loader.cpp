@@ -47,8 +47,7 @@ class Loader {
     elapsed_us_ += static_cast<double>(frame.time_us - last_us_);  // unsigned: right across the wrap
     last_us_ = frame.time_us;
     const double row = std::round(elapsed_us_ * 1.0e-6 * signals_.rate_hz);
-    if (row > static_cast<double>(kMostRows) ||
-        row > kMostGaps * static_cast<double>(frames_) + 1.0e6)
+    if (row > static_cast<double>(kMostRows) || row > kMostGaps * static_cast<double>(frames_) + 1.0e6)
       throw UserError(fmt::format("{}: more rows are missing than there are; cut the recording at its gaps",
                                   recording_.info().file));
     return std::max(static_cast<std::size_t>(row), signals_.rows);
@@ -87,9 +86,10 @@ void check_contact(const RecordingSignals& signals, const MachineDescription& ma
   if (!machine.has_spindle || machine.has_contact || !signals.has(Channel::kSpindleSpeed)) return;
   for (const float contact : signals.value[index_of(Channel::kContact)]) {
     if (!(contact > 0.0F)) continue;
-    throw UserError(fmt::format("the tool is in contact, but machine '{}' describes no contact; add [tool] and "
-                                "[contact] to its file",
-                                machine.name));
+    throw UserError(
+        fmt::format("the tool is in contact, but machine '{}' describes no contact; add [tool] and "
+                    "[contact] to its file",
+                    machine.name));
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace morepro::host {
 
-/// Reads a whole recording; `usable`: bit_of(channel) of what the machine can do something with. Values that no
-/// sensor of that kind can give become missing samples. Throws UserError where a row cannot be read.
+/// Reads a whole recording; `usable`: bit_of(channel) of what the machine can do something with. Values that
+/// no sensor of that kind can give become missing samples. Throws UserError where a row cannot be read.
 RecordingSignals load_signals(RecordingReader& recording, std::uint16_t usable);
 
 /// Without a contact law a spindle in contact has a torque that nobody described: throws UserError.

@@ -30,8 +30,7 @@ RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
   return thin;
 }
 
-FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine,
-                         std::size_t first)
+FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first)
     : signals_(signals), row_(first), winding_degc_(kWindingDegc) {
   input_.engagement = machine.feed.engagement;
   input_.chip_load_mm = machine.tool.chip_load_mm;

@@ -16,8 +16,8 @@ struct RecordingSignals {
   double start_s = 0.0;
   std::size_t rows = 0;          ///< of the grid
   std::size_t missing_rows = 0;  ///< of the grid, without a frame
-  bool is_thinned = false;       ///< neighbouring samples are farther apart than what shakes the machine lasts
-  std::uint16_t recorded = 0;    ///< bit_of(channel) of what was sampled at least once
+  bool is_thinned = false;     ///< neighbouring samples are farther apart than what shakes the machine lasts
+  std::uint16_t recorded = 0;  ///< bit_of(channel) of what was sampled at least once
   std::array<std::vector<float>, kChannelCount> value;  ///< NaN where there is no sample; empty where never
 
   [[nodiscard]] bool has(Channel channel) const { return (recorded & bit_of(channel)) != 0; }

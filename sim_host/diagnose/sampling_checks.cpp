@@ -12,7 +12,7 @@ constexpr std::array kNoisyChannels{Channel::kSpindleSpeed, Channel::kArmatureCu
                                     Channel::kFeedPosition};
 constexpr std::size_t kSampled = 20000;
 constexpr double kStepError = 1.0e-3;  // relative: samples are recorded with seven digits
-constexpr double kCertain = 1.0e4;  // deviance: what stands in the samples is not a matter of chance
+constexpr double kCertain = 1.0e4;     // deviance: what stands in the samples is not a matter of chance
 
 /// The step that all values are multiples of; 0 where there is none.
 double step_of(const std::vector<float>& column) {
@@ -52,7 +52,8 @@ std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Se
     // A step that adds less than a tenth to the noise that is known changes nothing.
     if (!(step * step / 12.0 > sensor.lsb * sensor.lsb / 12.0 * 1.2 + 0.1 * sensor.variance())) continue;
     const double unit = sensor.lsb > 0.0 ? sensor.lsb : sensor.noise;
-    faults.push_back({gap::Effect::kSensorQuantization, channel, step / unit, kStepError * step / unit, kCertain});
+    faults.push_back(
+        {gap::Effect::kSensorQuantization, channel, step / unit, kStepError * step / unit, kCertain});
     sensor.lsb = step;
   }
   return faults;
@@ -94,7 +95,8 @@ std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Senso
     if (same < 2 || different > 0) continue;  // one alone may stand still
     ++repeated;
     for (const Channel channel : kNoisyChannels)
-      if (signals.has(channel)) signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
+      if (signals.has(channel))
+        signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
   }
   std::size_t holes = 0;
   for (const Channel channel : kNoisyChannels) {
@@ -104,8 +106,8 @@ std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Senso
         std::count_if(column.begin(), column.end(), [](float value) { return !(value == value); }));
     holes = std::max(holes, count);
   }
-  const double fraction =
-      static_cast<double>(std::max(holes, repeated)) / static_cast<double>(std::max<std::size_t>(signals.rows, 1));
+  const double fraction = static_cast<double>(std::max(holes, repeated)) /
+                          static_cast<double>(std::max<std::size_t>(signals.rows, 1));
   if (fraction < kLeastFraction || fraction > 0.9) return std::nullopt;
   const double error = std::sqrt(fraction * (1.0 - fraction) / static_cast<double>(signals.rows));
   return SamplingFault{gap::Effect::kSampleDropout, Channel::kSpindleSpeed, fraction, error, kCertain};

@@ -13,8 +13,8 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double kOneSided95 = 1.645;
-// No catalogue has a machine's exact shapes. Of the excess an effect of another shape leaves this much on average,
-// and hardly ever more than that.
+// No catalogue has a machine's exact shapes. Of the excess an effect of another shape leaves this much on
+// average, and hardly ever more than that.
 constexpr double kUsualMisfit = 0.02;
 constexpr double kLargestMisfit = 0.10;
 using Chosen = std::vector<std::size_t>;
@@ -104,8 +104,8 @@ std::vector<WatchedBalance> watched(Axis axis, const RecordingSignals& signals) 
 
 }  // namespace
 
-void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed, std::uint64_t seed,
-                  Shrinkage& shrinkage) {
+void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
+                  std::uint64_t seed, Shrinkage& shrinkage) {
   std::vector<double> likely;
   std::vector<double> lowest;
   std::vector<double> highest;
@@ -157,19 +157,21 @@ void compare_models(const AxisDiagnosis& diagnosis, Shrinkage& shrinkage) {
     const double unit = deviation_of(signals, balance.channel);
     const auto relative = [unit](double error) { return unit > 0.0 ? error / unit : kNone; };
     const auto compare = [&](const std::array<AxisErrors, 3>& errors, double floor) {
-      return ModelComparison{relative(errors[0][balance.sensor].rms()), relative(errors[1][balance.sensor].rms()),
+      return ModelComparison{relative(errors[0][balance.sensor].rms()),
+                             relative(errors[1][balance.sensor].rms()),
                              relative(errors[2][balance.sensor].rms()), relative(floor)};
     };
     const auto place = static_cast<std::size_t>(balance.balance);
     const gap::GapNoise<double>& noise = fit.model().noise;
-    const std::array<double, 2> sensor = axis == Axis::kSpindle
-                                             ? std::array{noise.speed_variance, noise.current_variance}
-                                             : std::array{noise.feed_position_variance, noise.feed_speed_variance};
+    const std::array<double, 2> sensor =
+        axis == Axis::kSpindle ? std::array{noise.speed_variance, noise.current_variance}
+                               : std::array{noise.feed_position_variance, noise.feed_speed_variance};
     // A sensor may be better than its machine file says: nothing is below the floor.
     const auto floor = [](const ErrorSum& error, double expected) { return std::min(error.rms(), expected); };
     const ErrorSum& one_step = step[2][balance.sensor];
     shrinkage.one_step_nrmse[place] = compare(step, floor(one_step, one_step.expected_rms()));
-    shrinkage.free_run_nrmse[place] = compare(run, floor(run[2][balance.sensor], std::sqrt(sensor[balance.sensor])));
+    shrinkage.free_run_nrmse[place] =
+        compare(run, floor(run[2][balance.sensor], std::sqrt(sensor[balance.sensor])));
   }
 }
 

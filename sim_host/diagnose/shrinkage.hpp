@@ -14,10 +14,10 @@ struct UnnamedPower {
   double unseen = 0.0;  ///< so much may be there without being found; 0 where the effects do not act
 };
 
-/// Share closed over all balances with its 90 % interval: pieces are drawn anew, and the noise floor is no better
-/// known than its rows and what cannot be seen in them allow. `unnamed[i]`: of balance i.
-void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed, std::uint64_t seed,
-                  Shrinkage& shrinkage);
+/// Share closed over all balances with its 90 % interval: pieces are drawn anew, and the noise floor is no
+/// better known than its rows and what cannot be seen in them allow. `unnamed[i]`: of balance i.
+void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
+                  std::uint64_t seed, Shrinkage& shrinkage);
 
 /// One-step and free-run errors of an axis, relative to the standard deviation of what is measured.
 void compare_models(const AxisDiagnosis& diagnosis, Shrinkage& shrinkage);

@@ -12,7 +12,8 @@ double p_value_of(double ratio, double rows) {
 void correct_for_number(std::vector<GapCell>& cells) {
   std::vector<GapCell*> ordered;
   for (GapCell& cell : cells) ordered.push_back(&cell);
-  std::sort(ordered.begin(), ordered.end(), [](const GapCell* a, const GapCell* b) { return a->p_value < b->p_value; });
+  std::sort(ordered.begin(), ordered.end(),
+            [](const GapCell* a, const GapCell* b) { return a->p_value < b->p_value; });
   double largest = 0.0;
   for (std::size_t i = 0; i < ordered.size(); ++i) {
     largest = std::max(largest, ordered[i]->p_value * static_cast<double>(ordered.size() - i));

@@ -35,7 +35,8 @@ double line_gain(std::span<const float> white) {
   std::partial_sort(power.begin(), power.begin() + lines, power.end(), std::greater<>());
   double gain = 0.0;
   for (std::ptrdiff_t i = 0; i < lines; ++i)
-    if (power[static_cast<std::size_t>(i)] > chance * mean) gain += 2.0 * power[static_cast<std::size_t>(i)] / mean;
+    if (power[static_cast<std::size_t>(i)] > chance * mean)
+      gain += 2.0 * power[static_cast<std::size_t>(i)] / mean;
   return gain * static_cast<double>(white.size()) / static_cast<double>(length);
 }
 

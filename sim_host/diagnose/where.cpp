@@ -76,8 +76,10 @@ void add_side_cells(std::string_view by, const std::vector<double>& value, const
   const bool has_low = std::any_of(value.begin(), value.end(), [least](double v) { return v <= least; });
   const bool has_high = std::any_of(value.begin(), value.end(), [least](double v) { return v > least; });
   if (!has_low || !has_high) return;
-  cells.push_back(cell_of(by, low, low, powers, [&](std::size_t i, std::size_t) { return value[i] <= least; }));
-  cells.push_back(cell_of(by, high, high, powers, [&](std::size_t i, std::size_t) { return value[i] > least; }));
+  cells.push_back(
+      cell_of(by, low, low, powers, [&](std::size_t i, std::size_t) { return value[i] <= least; }));
+  cells.push_back(
+      cell_of(by, high, high, powers, [&](std::size_t i, std::size_t) { return value[i] > least; }));
 }
 
 std::vector<GapCell> cells_of(Axis axis, const RecordingSignals& signals, const Powers& powers) {
@@ -89,7 +91,8 @@ std::vector<GapCell> cells_of(Axis axis, const RecordingSignals& signals, const 
     for (std::size_t i = 0; i < windows; ++i) values.push_back(mean(channel, powers.before[i].first));
     return values;
   };
-  if (signals.has(Channel::kContact)) add_side_cells("contact", means(Channel::kContact), powers, 0.5, cells, 0, 1);
+  if (signals.has(Channel::kContact))
+    add_side_cells("contact", means(Channel::kContact), powers, 0.5, cells, 0, 1);
   const Channel speed = axis == Axis::kSpindle ? Channel::kSpindleSpeed : Channel::kFeedSpeed;
   if (signals.has(speed)) {
     std::vector<double> values = means(speed);
@@ -104,14 +107,16 @@ std::vector<GapCell> cells_of(Axis axis, const RecordingSignals& signals, const 
   const double resolution_hz = signals.rate_hz / static_cast<double>(kWindowLength);
   for (std::size_t band = 0; band < kBands; ++band) {
     const double centre = kBandPeriods[band] * resolution_hz;
-    cells.push_back(cell_of("frequency", std::max(centre - 1.5 * resolution_hz, 0.0), centre + 1.5 * resolution_hz,
-                            powers, [band](std::size_t, std::size_t b) { return b == band; }));
+    cells.push_back(cell_of("frequency", std::max(centre - 1.5 * resolution_hz, 0.0),
+                            centre + 1.5 * resolution_hz, powers,
+                            [band](std::size_t, std::size_t b) { return b == band; }));
   }
   for (std::size_t t = 0; t < kTimeCells && windows >= kTimeCells; ++t) {
     const std::size_t from = t * windows / kTimeCells;
     const std::size_t to = (t + 1) * windows / kTimeCells;
-    cells.push_back(cell_of("time", signals.time_s(powers.before[from].first), signals.time_s(powers.before[to - 1].first + kWindowLength),
-                            powers, [from, to](std::size_t i, std::size_t) { return i >= from && i < to; }));
+    cells.push_back(cell_of("time", signals.time_s(powers.before[from].first),
+                            signals.time_s(powers.before[to - 1].first + kWindowLength), powers,
+                            [from, to](std::size_t i, std::size_t) { return i >= from && i < to; }));
   }
   return cells;
 }
@@ -155,7 +160,8 @@ std::vector<BalanceResult> balances_of(const AxisDiagnosis& diagnosis, const std
 std::optional<double> onset_of(const AxisDiagnosis& diagnosis, const gap::AppliedEffect& effect) {
   AxisFit without = diagnosis.fit;
   auto& effects = without.model().effects;
-  std::erase_if(effects, [&effect](const gap::AppliedEffect& e) { return e.form.effect == effect.form.effect; });
+  std::erase_if(effects,
+                [&effect](const gap::AppliedEffect& e) { return e.form.effect == effect.form.effect; });
   const GapStatistics statistics = without.collect_with(std::array{effect.form});
   const Eigen::MatrixXd total = statistics.total();
   if (total.size() == 0) return std::nullopt;
@@ -176,7 +182,8 @@ std::optional<double> onset_of(const AxisDiagnosis& diagnosis, const gap::Applie
     }
     std::vector<Eigen::Index> active(static_cast<std::size_t>(width - 1));
     for (std::size_t i = 0; i < active.size(); ++i) active[i] = static_cast<Eigen::Index>(i);
-    gain[b] = split(width - 1, width - 1) - fit(split, active, without.precision(width), without.target(width)).rss;
+    gain[b] =
+        split(width - 1, width - 1) - fit(split, active, without.precision(width), without.target(width)).rss;
   }
   const auto best = std::max_element(gain.begin(), gain.end());
   const auto at = static_cast<std::size_t>(best - gain.begin());

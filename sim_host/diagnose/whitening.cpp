@@ -26,8 +26,8 @@ std::vector<float> scaled(std::span<const float> normalised, const std::vector<b
                           const std::array<double, 2>& scale) {
   std::vector<float> values(normalised.size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = std::clamp(normalised[i] / static_cast<float>(scale[in_contact[i] ? 1 : 0]), -kOutlier,
-                           kOutlier);
+    values[i] =
+        std::clamp(normalised[i] / static_cast<float>(scale[in_contact[i] ? 1 : 0]), -kOutlier, kOutlier);
   return values;
 }
 

@@ -8,8 +8,8 @@
 
 namespace morepro::host {
 
-/// What is left of innovations when the observer's noise is not quite the machine's: another size, in contact too,
-/// and a short memory. The weights of the rows follow from it.
+/// What is left of innovations when the observer's noise is not quite the machine's: another size, in contact
+/// too, and a short memory. The weights of the rows follow from it.
 struct SensorWhitening {
   static constexpr std::array<std::size_t, 9> kLags{1, 2, 3, 4, 6, 8, 12, 16, 24};
 

@@ -22,7 +22,8 @@ const Eigen::MatrixXf& test_functions() {
   static const Eigen::MatrixXf functions = [] {
     Eigen::MatrixXf phi(static_cast<Eigen::Index>(kRowsPerWindow), static_cast<Eigen::Index>(kWindowLength));
     for (std::size_t r = 0; r < kRowsPerWindow; ++r)
-      phi.row(static_cast<Eigen::Index>(r)) = test_function(kBandPeriods[band_of_row(r)], r > 0 && r % 2 == 0);
+      phi.row(static_cast<Eigen::Index>(r)) =
+          test_function(kBandPeriods[band_of_row(r)], r > 0 && r % 2 == 0);
     return phi;
   }();
   return functions;

@@ -6,7 +6,8 @@
 namespace morepro::host {
 
 /// Windows over a balance: smooth test functions, sin^4, times cosine and sine of a few whole periods, half
-/// overlapping. A row is the sum of a test function times the increments; each band of frequencies has its own.
+/// overlapping. A row is the sum of a test function times the increments; each band of frequencies has its
+/// own.
 inline constexpr std::size_t kWindowLength = 256;
 inline constexpr std::size_t kBands = 5;
 inline constexpr std::array<int, kBands> kBandPeriods{0, 3, 6, 9, 12};

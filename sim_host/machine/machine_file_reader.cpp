@@ -21,8 +21,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::array<std::string_view, 10> kTables{
-    "machine", "spindle", "feed", "tool", "contact", "thermal", "sampling", "sensors", "effects", "gap"};
+constexpr std::array<std::string_view, 10> kTables{"machine", "spindle",  "feed",    "tool",    "contact",
+                                                   "thermal", "sampling", "sensors", "effects", "gap"};
 
 std::vector<std::string_view> keys_of(std::string_view table) {
   std::vector<std::string_view> names;

@@ -14,7 +14,8 @@ bool can_be_taken_out(const gap::AppliedEffect& effect) {
          gap::info_of(effect.form.effect).group != gap::EffectGroup::kSampling;
 }
 
-std::string left_out(const MachineDescription& machine, const gap::AppliedEffect& effect, std::string_view why) {
+std::string left_out(const MachineDescription& machine, const gap::AppliedEffect& effect,
+                     std::string_view why) {
   return fmt::format("machine '{}': the monitor does not know of its {}: {}", machine.name,
                      gap::name_of(effect.form.effect), why);
 }

@@ -6,8 +6,9 @@
 
 namespace morepro::host {
 
-/// Puts the machine's effects into the monitor's configuration, whose sampling rate is final. Adds a sentence to
-/// `notices` for those that the monitor has no room for. A machine from a recording keeps what it was recorded with.
+/// Puts the machine's effects into the monitor's configuration, whose sampling rate is final. Adds a sentence
+/// to `notices` for those that the monitor has no room for. A machine from a recording keeps what it was
+/// recorded with.
 void know_effects(MachineDescription& machine, std::vector<std::string>& notices);
 
 }  // namespace morepro::host

@@ -40,7 +40,7 @@ std::string_view name_of(FrameFlag flag) {
   constexpr std::array<std::string_view, kFrameFlagCount> kNames{
       "duplicate",       "old",   "missing_before",  "time_jump", "not_finite", "out_of_range",
       "innovation_gate", "stuck", "estimator_reset", "speed_low", "speed_high", "no_input",
-      "sequence_reset", "jump"};
+      "sequence_reset",  "jump"};
   return at(kNames, static_cast<std::size_t>(std::countr_zero(bits_of(flag))));
 }
 

@@ -144,8 +144,8 @@ std::string health_lines(const ReplayResult& r, bool with_colour) {
 std::string result_text(const ReplayResult& result, bool with_colour) {
   const double real_time = result.elapsed_s > 0.0 ? result.tally.duration_s / result.elapsed_s : 0.0;
   return recording_lines(result) + frame_lines(result) + chip_load_lines(result) + timeline_lines(result) +
-         parameter_lines(result) + part_lines(result) +
-         line("Gap", gap_text(result.last.gap)) + health_lines(result, with_colour) +
+         parameter_lines(result) + part_lines(result) + line("Gap", gap_text(result.last.gap)) +
+         health_lines(result, with_colour) +
          line("Replay",
               fmt::format("{:.0f} frames/s, {:.0f} times real time", result.frames_per_s(), real_time));
 }

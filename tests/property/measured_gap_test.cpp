@@ -14,9 +14,9 @@
 #include "sim_host/machine/machine_description.hpp"
 #include "sim_host/recording/recording_reader.hpp"
 
-/// A measured ball-screw axis (EMPS; Janot, Gautier, Brunot 2019): how far the gap between its viscous model and the
-/// machine shrinks with each effect, fitted on one recording and judged on another one with force pulses. The
-/// recordings are not part of this project: MOREPRO_SHARED_DIR names the folder that holds data/.
+/// A measured ball-screw axis (EMPS; Janot, Gautier, Brunot 2019): how far the gap between its viscous model
+/// and the machine shrinks with each effect, fitted on one recording and judged on another one with force
+/// pulses. The recordings are not part of this project: MOREPRO_SHARED_DIR names the folder that holds data/.
 namespace morepro::host {
 namespace {
 
@@ -24,7 +24,8 @@ using gap::Effect;
 
 std::filesystem::path measured(const char* name) {
   const char* folder = std::getenv("MOREPRO_SHARED_DIR");
-  return std::filesystem::path(folder != nullptr ? folder : MOREPRO_DEFAULT_SHARED_DIR) / "data" / "emps" / name;
+  return std::filesystem::path(folder != nullptr ? folder : MOREPRO_DEFAULT_SHARED_DIR) / "data" / "emps" /
+         name;
 }
 
 MachineDescription viscous_machine() {
@@ -43,7 +44,8 @@ constexpr std::size_t kThinned = 5;  // 200 Hz: noise of the position is small a
 
 RecordingSignals load(const char* name) {
   RecordingReader reader(measured(name).string());
-  return thinned(load_signals(reader, bit_of(Channel::kFeedForce) | bit_of(Channel::kFeedPosition)), kThinned);
+  return thinned(load_signals(reader, bit_of(Channel::kFeedForce) | bit_of(Channel::kFeedPosition)),
+                 kThinned);
 }
 
 /// Speed of the free-running model against that of the machine, over 50 ms, as a share of the machine's.
@@ -72,14 +74,16 @@ struct Fitted {
 };
 
 /// With what the diagnosis makes of the allowed effects.
-Fitted fitted(const RecordingSignals& train, const RecordingSignals& test, const std::vector<Effect>& allowed) {
+Fitted fitted(const RecordingSignals& train, const RecordingSignals& test,
+              const std::vector<Effect>& allowed) {
   const MachineDescription machine = viscous_machine();
   const GapModel datasheet{.machine = machine.configuration.machine,
                            .point = reference_point_for(machine, train),
                            .noise = least_noise(machine.configuration.sensors)};
   std::vector<Effect> others;
   for (const gap::EffectInfo& info : gap::kEffects)
-    if (std::find(allowed.begin(), allowed.end(), info.effect) == allowed.end()) others.push_back(info.effect);
+    if (std::find(allowed.begin(), allowed.end(), info.effect) == allowed.end())
+      others.push_back(info.effect);
   const AxisDiagnosis diagnosis = search_effects(Axis::kFeed, train, datasheet, others, 40.0);
   return {diagnosis.fit.model(), free_run_speed_error(test, diagnosis.fit.model())};
 }
@@ -107,8 +111,10 @@ TEST_F(MeasuredGap, ShrinksWithEveryEffectThatIsNamed) {
   const Fitted both = fitted(train, test, {Effect::kFeedCoulombFriction, Effect::kFeedForceOffset});
   const Fitted directed = fitted(
       train, test, {Effect::kFeedCoulombFriction, Effect::kFeedForceOffset, Effect::kFeedAsymmetricFriction});
-  printf("free-run speed error: viscous %.1f %%, + offset %.1f %%, + Coulomb %.1f %%, + both %.1f %%, + direction %.1f %%\n",
-         100.0 * viscous, 100.0 * offset, 100.0 * coulomb, 100.0 * both.error, 100.0 * directed.error);
+  printf(
+      "free-run speed error: viscous %.1f %%, + offset %.1f %%, + Coulomb %.1f %%, + both %.1f %%, + "
+      "direction %.1f %%\n",
+      100.0 * viscous, 100.0 * offset, 100.0 * coulomb, 100.0 * both.error, 100.0 * directed.error);
   // Published: 19.7, 17.7, 17.9, 7.2 and 5.5 % of models that were fitted to the force, at 100 Hz.
   EXPECT_GT(viscous, 0.12);
   EXPECT_GT(offset, 0.12);
@@ -118,7 +124,8 @@ TEST_F(MeasuredGap, ShrinksWithEveryEffectThatIsNamed) {
   EXPECT_LT(directed.error, 0.057);
 }
 
-// Published, with Coulomb friction and offset: M 95.109 kg, viscous 203.50 N s/m, Coulomb 20.394 N, offset -3.165 N.
+// Published, with Coulomb friction and offset: M 95.109 kg, viscous 203.50 N s/m, Coulomb 20.394 N, offset
+// -3.165 N.
 TEST_F(MeasuredGap, GivesThePublishedParameters) {
   const RecordingSignals train = load("train.csv");
   const Fitted both = fitted(train, train, {Effect::kFeedCoulombFriction, Effect::kFeedForceOffset});

@@ -103,11 +103,10 @@ MonitorConfiguration with_effects(const MachineEffects& effects) {
 }
 
 /// So small that a machine without them is sound, each with a memory or a law that wild frames drive far.
-const MachineEffects kRemembering{.effect = {effect(gap::Effect::kShaftCompliance, 3000.0),
-                                             effect(gap::Effect::kCurrentBandwidth, 2.0e-5),
-                                             effect(gap::Effect::kFeedPresliding, 0.1),
-                                             effect(gap::Effect::kSpindleSpeedDelay, 2.0e-5)},
-                                  .count = 4};
+const MachineEffects kRemembering{
+    .effect = {effect(gap::Effect::kShaftCompliance, 3000.0), effect(gap::Effect::kCurrentBandwidth, 2.0e-5),
+               effect(gap::Effect::kFeedPresliding, 0.1), effect(gap::Effect::kSpindleSpeedDelay, 2.0e-5)},
+    .count = 4};
 const MachineEffects kSteep{.effect = {effect(gap::Effect::kSpindleCoulombFriction, 1.0e-4),
                                        effect(gap::Effect::kBrushVoltageDrop, 1.0e-3),
                                        effect(gap::Effect::kTorqueConstantSaturation, 1.0e-6),

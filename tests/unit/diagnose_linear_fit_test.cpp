@@ -1,13 +1,14 @@
-#include "sim_host/diagnose/linear_fit.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sim_host/diagnose/linear_fit.hpp"
 
 namespace morepro::host {
 namespace {
 
 using Indices = std::vector<Eigen::Index>;
 
-// Rows [1, x, y] of the points (0, 1), (1, 3), (2, 4): the line is 7/6 + 3/2 x, its residuals -1/6, 1/3, -1/6.
+// Rows [1, x, y] of the points (0, 1), (1, 3), (2, 4): the line is 7/6 + 3/2 x, its residuals -1/6, 1/3,
+// -1/6.
 Eigen::MatrixXd three_points() {
   Eigen::MatrixXd rows(3, 3);
   rows << 1, 0, 1, 1, 1, 3, 1, 2, 4;

@@ -28,8 +28,10 @@ TEST(SpectralLines, TakesASinesWholePower) {
   constexpr double kAmplitude = 0.25;
   auto values = white(7);
   for (std::size_t i = 0; i < kLength; ++i)
-    values[i] += static_cast<float>(kAmplitude * std::sin(2.0 * std::numbers::pi * 300.0 * static_cast<double>(i) / kLength + 0.4));
-  // n A^2 / 2; a noncentral chi-square of two degrees of freedom spreads by sqrt(4 + 4 x 256), four times that.
+    values[i] += static_cast<float>(
+        kAmplitude * std::sin(2.0 * std::numbers::pi * 300.0 * static_cast<double>(i) / kLength + 0.4));
+  // n A^2 / 2; a noncentral chi-square of two degrees of freedom spreads by sqrt(4 + 4 x 256), four times
+  // that.
   const double expected = kLength * kAmplitude * kAmplitude / 2.0;
   EXPECT_NEAR(line_gain(values), expected, 4.0 * std::sqrt(4.0 + 4.0 * expected));
 }
@@ -74,7 +76,8 @@ double correlation(const std::vector<float>& values, std::size_t lag) {
 TEST(Whitening, FindsTheScalesInTheAirAndInContact) {
   const auto statistics = remembering(100000);
   const SensorWhitening white = whitening_of(statistics)[0];
-  // Memory 0.8 leaves 50000 (1 - 0.64) / (1 + 0.64) = 11000 independent squares: five standard errors of the scale.
+  // Memory 0.8 leaves 50000 (1 - 0.64) / (1 + 0.64) = 11000 independent squares: five standard errors of the
+  // scale.
   EXPECT_NEAR(white.scale[0], 3.0, 3.0 * 5.0 / std::sqrt(2.0 * 11000.0));
   EXPECT_NEAR(white.scale[1], 5.0, 5.0 * 5.0 / std::sqrt(2.0 * 11000.0));
   EXPECT_NEAR(white.left, 1.0 - 0.64, 0.01);
@@ -107,7 +110,8 @@ TEST(Whitening, DoesNotTakeItsMemoryFromAFewOutliers) {
   auto statistics = remembering(100000);
   for (std::size_t i = 500; i < 100000; i += 10000) statistics.normalised[0][i] = 2000.0F;
   const auto clean = whitening_of(remembering(100000))[0].memory;
-  for (std::size_t j = 0; j < clean.size(); ++j) EXPECT_TRUE(std::isfinite(whitening_of(statistics)[0].memory[j]));
+  for (std::size_t j = 0; j < clean.size(); ++j)
+    EXPECT_TRUE(std::isfinite(whitening_of(statistics)[0].memory[j]));
   EXPECT_GT(whitening_of(statistics)[0].memory[0], 0.5 * clean[0]);
 }
 

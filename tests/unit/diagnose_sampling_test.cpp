@@ -11,7 +11,9 @@ using diagnose_test::record;
 using diagnose_test::SimulatedRun;
 using gap::Effect;
 
-SimulatedRun short_run(std::vector<gap::AppliedEffect> effects) { return {.effects = std::move(effects), .duration_s = 1.0}; }
+SimulatedRun short_run(std::vector<gap::AppliedEffect> effects) {
+  return {.effects = std::move(effects), .duration_s = 1.0};
+}
 
 TEST(SamplingChecks, FindNothingInAHealthyRecording) {
   RecordingSignals signals = record(short_run({}));
@@ -27,7 +29,8 @@ TEST(SamplingChecks, FindTheStepOfEveryCoarseSensor) {
   ASSERT_EQ(faults.size(), 3U);
   for (const SamplingFault& fault : faults) {
     EXPECT_NEAR(fault.size, 4.0, 0.01);
-    EXPECT_NEAR(sensors[fault.channel].lsb, 4.0 * sensors[fault.channel].noise, 0.01 * sensors[fault.channel].lsb);
+    EXPECT_NEAR(sensors[fault.channel].lsb, 4.0 * sensors[fault.channel].noise,
+                0.01 * sensors[fault.channel].lsb);
   }
 }
 
@@ -48,7 +51,8 @@ TEST(SamplingChecks, CountTheRowsThatAreMissing) {
   const auto fault = find_dropout(signals, reference_sensors());
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->effect, Effect::kSampleDropout);
-  EXPECT_NEAR(fault->size, static_cast<double>(signals.missing_rows) / static_cast<double>(signals.rows), 1.0e-9);
+  EXPECT_NEAR(fault->size, static_cast<double>(signals.missing_rows) / static_cast<double>(signals.rows),
+              1.0e-9);
 }
 
 TEST(SamplingChecks, TakeRepeatedRowsOutOfTheRecording) {

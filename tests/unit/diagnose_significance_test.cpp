@@ -1,11 +1,12 @@
-#include "sim_host/diagnose/significance.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sim_host/diagnose/significance.hpp"
 
 namespace morepro::host {
 namespace {
 
-// The mean of n squares of unit normal numbers is 1 +- sqrt(2 / n): of 200, 1.1645 is 1.645 deviations too much.
+// The mean of n squares of unit normal numbers is 1 +- sqrt(2 / n): of 200, 1.1645 is 1.645 deviations too
+// much.
 TEST(Significance, IsFivePercentAtItsQuantile) {
   EXPECT_NEAR(p_value_of(1.1645, 200.0), 0.05, 0.001);
   EXPECT_NEAR(p_value_of(1.0, 200.0), 0.5, 1.0e-12);

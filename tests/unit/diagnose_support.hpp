@@ -75,8 +75,9 @@ inline MachineDescription datasheet(double fraction) {
   auto& s = machine.configuration.machine.spindle;
   auto& f = machine.configuration.machine.feed;
   double sign = 1.0;
-  for (double* value : {&s.torque_constant_nm_a, &s.viscous_friction_nms_rad, &s.inertia_kgm2, &s.resistance_ohm,
-                        &s.back_emf_constant_vs_rad, &s.inductance_h, &f.mass_kg, &f.viscous_friction_ns_m}) {
+  for (double* value :
+       {&s.torque_constant_nm_a, &s.viscous_friction_nms_rad, &s.inertia_kgm2, &s.resistance_ohm,
+        &s.back_emf_constant_vs_rad, &s.inductance_h, &f.mass_kg, &f.viscous_friction_ns_m}) {
     *value *= 1.0 + sign * fraction;
     sign = -sign;
   }
@@ -99,7 +100,11 @@ inline bool names(const host::EffectResult& found, Effect name) {
 inline std::string said(const DiagnosisResult& result) {
   std::string text(host::name_of(result.verdict));
   for (const auto& found : result.which) {
-    text.append("; ").append(gap::name_of(found.effect)).append(" = ").append(std::to_string(found.magnitude)).append(" {");
+    text.append("; ")
+        .append(gap::name_of(found.effect))
+        .append(" = ")
+        .append(std::to_string(found.magnitude))
+        .append(" {");
     for (const Effect alias : found.alias_set) text.append(" ").append(gap::name_of(alias));
     text.append(" }");
   }

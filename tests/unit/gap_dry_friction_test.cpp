@@ -1,8 +1,8 @@
-#include "lib/gap/dry_friction.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "lib/gap/dry_friction.hpp"
 
 namespace morepro::gap {
 namespace {
@@ -26,16 +26,18 @@ double integrated(double x, double loss) {
 TEST(DryFriction, IsTheSolutionOfItsEquation) {
   for (const double start : {-9.0, -1.0, -0.1, 0.0, 0.05, 0.5, 3.0, 9.0})
     for (const double loss : {0.0, 0.1, 1.0, 2.9})
-      EXPECT_NEAR(friction_step(start, kWidth, loss).value, integrated(start, loss), 1.0e-9) << start << " " << loss;
+      EXPECT_NEAR(friction_step(start, kWidth, loss).value, integrated(start, loss), 1.0e-9)
+          << start << " " << loss;
 }
 
 TEST(DryFriction, KnowsWhatIsLeftOfASmallDifference) {
   constexpr double kStep = 1.0e-5;
   for (const double start : {-1.0, -0.1, 0.02, 0.5, 3.0})
     for (const double loss : {0.1, 1.0, 2.9}) {
-      const double difference = friction_step(start + kStep, kWidth, loss).value -
-                                friction_step(start - kStep, kWidth, loss).value;
-      EXPECT_NEAR(friction_step(start, kWidth, loss).slope, difference / (2.0 * kStep), 1.0e-6) << start << " " << loss;
+      const double difference =
+          friction_step(start + kStep, kWidth, loss).value - friction_step(start - kStep, kWidth, loss).value;
+      EXPECT_NEAR(friction_step(start, kWidth, loss).slope, difference / (2.0 * kStep), 1.0e-6)
+          << start << " " << loss;
     }
 }
 

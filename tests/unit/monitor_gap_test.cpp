@@ -59,9 +59,10 @@ std::vector<std::uint8_t> bytes_of(const Health& health) {
 const GapRun kBiased{.effects = {test::gap_effect(Effect::kFeedForceOffset, 3.0)}, .duration_s = 10.0};
 
 TEST(MonitorGap, NamesTheEffectOfAMachine) {
-  for (const auto& [effect, size] :
-       {std::pair{Effect::kFeedCoulombFriction, 3.0}, {Effect::kFeedForceOffset, 3.0},
-        {Effect::kSupplyVoltageOffset, 2.0}, {Effect::kCurrentBias, 0.5}}) {
+  for (const auto& [effect, size] : {std::pair{Effect::kFeedCoulombFriction, 3.0},
+                                     {Effect::kFeedForceOffset, 3.0},
+                                     {Effect::kSupplyVoltageOffset, 2.0},
+                                     {Effect::kCurrentBias, 0.5}}) {
     const Health health = after({.effects = {test::gap_effect(effect, size)}, .duration_s = 16.0});
     EXPECT_EQ(health.gap.verdict, GapVerdict::kEffect) << gap::index_of(effect);
     EXPECT_TRUE(is_named(health.gap, effect)) << gap::index_of(effect) << gap::index_of(health.gap.effect);
@@ -107,11 +108,10 @@ TEST(MonitorGap, LostFramesAreNoEffect) {
 void expect_no_effect_of(Channel sensor, const std::function<void(SensorFrame&)>& fail) {
   auto monitor = new_monitor();
   bool was_a_fault = false;
-  const Health health =
-      show(*monitor, {.duration_s = 14.0}, [&](std::size_t i, SensorFrame& frame) {
-        if (i % 1200 > 1000) fail(frame);
-        was_a_fault |= monitor->health().state == HealthState::kSensorFault;
-      });
+  const Health health = show(*monitor, {.duration_s = 14.0}, [&](std::size_t i, SensorFrame& frame) {
+    if (i % 1200 > 1000) fail(frame);
+    was_a_fault |= monitor->health().state == HealthState::kSensorFault;
+  });
   EXPECT_TRUE(was_a_fault) << info_of(sensor).column;
   EXPECT_NE(health.gap.verdict, GapVerdict::kEffect) << info_of(sensor).column;
   EXPECT_NE(health.gap.verdict, GapVerdict::kUnexplained) << info_of(sensor).column;
@@ -227,7 +227,8 @@ TEST(MonitorGap, RefusesImpossibleSettings) {
     EXPECT_FALSE(result.ok());
     return result.key;
   };
-  EXPECT_EQ(refusal([](GapTuning& g) { g.speed_process_noise_rad_s = -1.0; }), "gap.speed_process_noise_rad_s");
+  EXPECT_EQ(refusal([](GapTuning& g) { g.speed_process_noise_rad_s = -1.0; }),
+            "gap.speed_process_noise_rad_s");
   EXPECT_EQ(refusal([](GapTuning& g) { g.current_process_noise_a = -1.0; }), "gap.current_process_noise_a");
   EXPECT_EQ(refusal([](GapTuning& g) { g.feed_process_noise_m_s = -1.0; }), "gap.feed_process_noise_m_s");
   EXPECT_EQ(refusal([](GapTuning& g) { g.spindle.evidence = 0.0; }), "gap.spindle_evidence");

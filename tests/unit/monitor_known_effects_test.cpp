@@ -23,27 +23,29 @@ using Change = std::function<void(std::size_t index, SensorFrame& frame)>;
 
 MonitorConfiguration knowing(const Effects& effects) {
   MonitorConfiguration configuration = test::gap_configuration();
-  for (const gap::AppliedEffect& one : effects) configuration.effects.effect[configuration.effects.count++] = one;
+  for (const gap::AppliedEffect& one : effects)
+    configuration.effects.effect[configuration.effects.count++] = one;
   return configuration;
 }
 
 /// What a monitor has made of a run: the worst of it after the first second, and its end.
 struct Seen {
   Health last;
-  float highest_ratio = 0.0F;         ///< of the spindle's innovations
-  float chip_load_deviations = 0.0F;  ///< largest error of a valid chip load late in a cut, in standard errors
-  double current_error_a = 0.0;       ///< mean of the answer against the measurement
+  float highest_ratio = 0.0F;  ///< of the spindle's innovations
+  float chip_load_deviations =
+      0.0F;                      ///< largest error of a valid chip load late in a cut, in standard errors
+  double current_error_a = 0.0;  ///< mean of the answer against the measurement
   std::size_t valid = 0;
 };
 
-Seen seen_by(const MonitorConfiguration& configuration, const Effects& of_machine, const Change& change = {}) {
+Seen seen_by(const MonitorConfiguration& configuration, const Effects& of_machine,
+             const Change& change = {}) {
   constexpr std::size_t kFirst = 10000;
   constexpr std::size_t kLateInCut = 500;
   auto monitor = std::make_unique<BoardMonitor>();
   EXPECT_TRUE(monitor->configure(configuration).ok());
-  host::Simulation simulation(test::gap_configuration(), {.profile = ProfileKind::kRich,
-                                                          .duration_s = 8.0,
-                                                          .effects = of_machine});
+  host::Simulation simulation(test::gap_configuration(),
+                              {.profile = ProfileKind::kRich, .duration_s = 8.0, .effects = of_machine});
   Seen seen;
   std::size_t frames_in_cut = 0, frames = 0;
   SensorFrame frame;
@@ -52,13 +54,15 @@ Seen seen_by(const MonitorConfiguration& configuration, const Effects& of_machin
     const Health& health = monitor->step(frame);
     if (i < kFirst) continue;
     seen.highest_ratio = std::max(seen.highest_ratio, health.innovation_ratio);
-    seen.current_error_a += static_cast<double>(health.armature_current_a - frame.get(Channel::kArmatureCurrent));
+    seen.current_error_a +=
+        static_cast<double>(health.armature_current_a - frame.get(Channel::kArmatureCurrent));
     ++frames;
     frames_in_cut = frame.get(Channel::kContact) > 0.5F ? frames_in_cut + 1 : 0;
     if (frames_in_cut < kLateInCut || health.chip_load_state != ChipLoadState::kValid) continue;
     ++seen.valid;
     const float error = std::fabs(health.chip_load_mm - frame.get(Channel::kChipLoad));
-    seen.chip_load_deviations = std::max(seen.chip_load_deviations, error / health.chip_load_standard_error_mm);
+    seen.chip_load_deviations =
+        std::max(seen.chip_load_deviations, error / health.chip_load_standard_error_mm);
   }
   seen.last = monitor->health();
   seen.current_error_a /= static_cast<double>(frames);
@@ -67,10 +71,13 @@ Seen seen_by(const MonitorConfiguration& configuration, const Effects& of_machin
 
 bool finds_the_parameters(const Health& health) {
   const MachineParameters truth = reference_machine();
-  const std::array<double, kParameterCount> values{
-      truth.spindle.torque_constant_nm_a, truth.spindle.inertia_kgm2,   truth.feed.mass_kg,
-      truth.feed.contact_force_n,         truth.spindle.inductance_h,   truth.spindle.resistance_ohm,
-      truth.spindle.back_emf_constant_vs_rad};
+  const std::array<double, kParameterCount> values{truth.spindle.torque_constant_nm_a,
+                                                   truth.spindle.inertia_kgm2,
+                                                   truth.feed.mass_kg,
+                                                   truth.feed.contact_force_n,
+                                                   truth.spindle.inductance_h,
+                                                   truth.spindle.resistance_ohm,
+                                                   truth.spindle.back_emf_constant_vs_rad};
   constexpr double kSlack = 0.01;
   return std::equal(values.begin(), values.end(), health.parameters.begin(),
                     [](double value, const ParameterEstimate& estimate) {
@@ -127,8 +134,8 @@ TEST(MonitorKnownEffects, WhatASensorAddsIsTakenOut) {
 TEST(MonitorKnownEffects, SeveralAreTakenOutTogether) {
   expect_right_where_known(
       {gap_effect(Effect::kSpindleCoulombFriction, 0.03), gap_effect(Effect::kCurrentBias, 0.5)});
-  expect_right_where_known({gap_effect(Effect::kSpindleWindage, 2.0e-7), gap_effect(Effect::kDriveLag, 1.0e-3),
-                            gap_effect(Effect::kFeedForceOffset, 3.0),
+  expect_right_where_known({gap_effect(Effect::kSpindleWindage, 2.0e-7),
+                            gap_effect(Effect::kDriveLag, 1.0e-3), gap_effect(Effect::kFeedForceOffset, 3.0),
                             gap_effect(Effect::kSpindleSpeedDelay, 5.0e-4)});
 }
 
@@ -142,8 +149,8 @@ TEST(MonitorKnownEffects, TheCurrentOfTheAnswerIsThatOfTheMachine) {
   EXPECT_NEAR(seen_by(knowing(friction), friction).current_error_a, 0.0, 0.002);
 }
 
-/// Of a run of which every 50th frame is lost, and three in a row now and then: with the inputs of the last one a
-/// nominal machine goes wrong, too.
+/// Of a run of which every 50th frame is lost, and three in a row now and then: with the inputs of the last
+/// one a nominal machine goes wrong, too.
 float mean_ratio_with_lost_frames(const Effects& effects) {
   auto monitor = std::make_unique<BoardMonitor>();
   EXPECT_TRUE(monitor->configure(knowing(effects)).ok());
@@ -205,13 +212,15 @@ TEST(MonitorKnownEffects, RefusesImpossibleOnes) {
   };
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   expect_refusal(kEffectCount, "effects", [](auto& e) { e.count = 5; });
-  expect_refusal(kEffectUnknown, "effects.name", [](auto& e) { e.effect[0].form.effect = Effect::kUnnamedForce; });
+  expect_refusal(kEffectUnknown, "effects.name",
+                 [](auto& e) { e.effect[0].form.effect = Effect::kUnnamedForce; });
   expect_refusal(kEffectParts, "effects.coefficients", [](auto& e) { e.effect[0].form.parts = 5; });
   expect_refusal(kEffectParts, "effects.coefficients", [](auto& e) { e.effect[0].form.parts = 0; });
   expect_refusal(kEffectDelay, "effects.shape", [](auto& e) { e.effect[0].form.shape = 1.3e-3F; });
   expect_refusal(kEffectShape, "effects.shape", [](auto& e) { e.effect[0].form.shape = 0.0F; });
   expect_refusal(kEffectShape, "effects.shape", [](auto& e) { e.effect[0].form.shape = -1.0F; });
-  expect_refusal(kNotFinite, "effects.shape", [](auto& e) { e.effect[0].form.shape = static_cast<float>(kNan); });
+  expect_refusal(kNotFinite, "effects.shape",
+                 [](auto& e) { e.effect[0].form.shape = static_cast<float>(kNan); });
   expect_refusal(kNotFinite, "effects.coefficients", [](auto& e) { e.effect[0].coefficient[3] = kNan; });
   expect_refusal(kMagnitude, "effects.coefficients", [](auto& e) { e.effect[0].coefficient[0] = -1.0e10; });
   expect_refusal(kNotFinite, "effects.onset_s", [](auto& e) { e.effect[0].onset_s = kNan; });

@@ -340,9 +340,9 @@ TEST(Reason, EveryCodeHasItsOwnText) {
   for (auto code : {ReasonCode::kSensorMissing, ReasonCode::kSensorStuck, ReasonCode::kSensorNotFinite,
                     ReasonCode::kSensorOutOfRange, ReasonCode::kSensorJump, ReasonCode::kModelResidual,
                     ReasonCode::kModelFeedResidual, ReasonCode::kModelOutsideLaw, ReasonCode::kModelEffect,
-                    ReasonCode::kModelUnexplained, ReasonCode::kWearNoContact,
-                    ReasonCode::kWearSettling, ReasonCode::kWearAsCommanded, ReasonCode::kWearLoadRaised,
-                    ReasonCode::kWearLoadHigh, ReasonCode::kWearNoReference, ReasonCode::kWearLoadLow}) {
+                    ReasonCode::kModelUnexplained, ReasonCode::kWearNoContact, ReasonCode::kWearSettling,
+                    ReasonCode::kWearAsCommanded, ReasonCode::kWearLoadRaised, ReasonCode::kWearLoadHigh,
+                    ReasonCode::kWearNoReference, ReasonCode::kWearLoadLow}) {
     const auto& text = text_of(code);
     EXPECT_EQ(text.code, code);
     EXPECT_FALSE(text.sentence.empty() || text.cause.empty() || text.next_step.empty()) << text.name;

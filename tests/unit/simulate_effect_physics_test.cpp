@@ -219,7 +219,8 @@ TEST(SimulatedMachine, LosesItsLoadInTheBacklash) {
     loose.step(driven(0.0, 10.0));
   }
   EXPECT_NEAR(loose.state().feed_speed_m_s, rigid.state().feed_speed_m_s, 1e-6);
-  // Beyond the play it is one mass again; after a reversal the drive runs alone until it has crossed the play.
+  // Beyond the play it is one mass again; after a reversal the drive runs alone until it has crossed the
+  // play.
   const auto pushed = [](const SimulatedMachine& machine, double force_n) {
     return machine.derivative(driven(0.0, force_n)).feed_acceleration_m_s2;
   };

@@ -93,12 +93,14 @@ MachineParameters golden_machine() {
 MachineEffects golden_effects() {
   MachineEffects effects;
   effects.count = 2;
-  effects.effect[0] = {.form = {.effect = gap::Effect::kSpindleCogging, .kind = 0, .parts = 2, .shape = 12.0F},
-                       .coefficient = {0.25, -0.5},
-                       .onset_s = 1.5};
-  effects.effect[1] = {.form = {.effect = gap::Effect::kArmatureReaction, .kind = 1, .parts = 1, .shape = 0.0F},
-                       .coefficient = {0.125},
-                       .onset_s = 0.0};
+  effects.effect[0] = {
+      .form = {.effect = gap::Effect::kSpindleCogging, .kind = 0, .parts = 2, .shape = 12.0F},
+      .coefficient = {0.25, -0.5},
+      .onset_s = 1.5};
+  effects.effect[1] = {
+      .form = {.effect = gap::Effect::kArmatureReaction, .kind = 1, .parts = 1, .shape = 0.0F},
+      .coefficient = {0.125},
+      .onset_s = 0.0};
   return effects;
 }
 
