@@ -58,6 +58,11 @@ constexpr Plainer kPlainer[] = {
     {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, kAlways},
 };
 
+/// Deviance that an effect gains by chance: its coefficients', and one for the shape that was looked for.
+double freedom_cost(const AxisFit& fit, const gap::EffectForm& form) {
+  return (form.parts + 1.0) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
+}
+
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
 class Search {
@@ -70,8 +75,6 @@ class Search {
         on_progress_(on_progress) {}
 
   void run() {
-    fit_.settle();
-    diagnosis_.nominal = fit_;
     diagnosis_.known_evidence = evidence_of_known();
     diagnosis_.least_evidence = std::max(diagnosis_.least_evidence, kLeastShare * diagnosis_.known_evidence);
     while (diagnosis_.found.size() < kMostEffects && add_one()) {
@@ -132,7 +135,7 @@ class Search {
       rival = refined(fit_, rival);
       AxisFit trial = fitted_with(rival);
       if (has_blurred_shape(rival.form.effect)) sharpen(trial);
-      rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, rival);
+      rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, rival.form);
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
       rival.form = trial.model().effects.back().form;
       if (rival.evidence > best) kept = rival.evidence / promised;
@@ -235,10 +238,6 @@ class Search {
     }
   }
 
-  static double freedom_cost(const AxisFit& fit, const Candidate& candidate) {
-    return (candidate.form.parts + 1.0) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
-  }
-
   void take_sizes() {
     for (std::size_t i = 0; i < diagnosis_.found.size(); ++i)
       diagnosis_.found[i].effect = fit_.model().effects[i];
@@ -318,11 +317,16 @@ double AxisDiagnosis::needed(const Finding& finding, double usual) const {
   return usual;
 }
 
-AxisDiagnosis search_effects(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
+double AxisDiagnosis::cost() const {
+  double cost = fit.unlikeliness();
+  for (const Finding& finding : found) cost += freedom_cost(fit, finding.effect.form);
+  return cost;
+}
+
+AxisDiagnosis search_effects(const AxisFit& start, const AxisFit& nominal,
                              std::span<const gap::Effect> excluded, double least_evidence,
                              const std::function<void(double)>& on_progress) {
-  const AxisFit start(axis, signals, datasheet);
-  AxisDiagnosis diagnosis{.fit = start, .nominal = start, .least_evidence = least_evidence};
+  AxisDiagnosis diagnosis{.fit = start, .nominal = nominal, .least_evidence = least_evidence};
   Search(diagnosis, excluded, on_progress).run();
   return diagnosis;
 }

@@ -28,12 +28,15 @@ struct AxisDiagnosis {
   /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out
   /// to grow with the speed is still there, if less of it.
   [[nodiscard]] double needed(const Finding& finding, double usual) const;
+  /// What two diagnoses of one recording are compared by: unlikeliness, and what the effects' freedom gains
+  /// by chance. Smaller is better.
+  [[nodiscard]] double cost() const;
 };
 
 /// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.
+/// `start`: a fit of the nominal model to begin with; `nominal`: the best one that is known.
 AxisDiagnosis search_effects(
-    Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
-    std::span<const gap::Effect> excluded, double least_evidence,
-    const std::function<void(double share)>& on_progress = [](double) {});
+    const AxisFit& start, const AxisFit& nominal, std::span<const gap::Effect> excluded,
+    double least_evidence, const std::function<void(double share)>& on_progress = [](double) {});
 
 }  // namespace morepro::host

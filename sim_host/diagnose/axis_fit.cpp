@@ -225,7 +225,7 @@ void AxisFit::refit() {
 }
 
 void AxisFit::match_noise() {
-  fit_noise(axis_, *signals_, datasheet_.noise, model_);
+  fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, model_);
   const Trial here = tried();
   whitening_ = whitening_of(here.statistics);
   unlikeliness_ = unlikeliness_of(here.statistics);
@@ -245,7 +245,7 @@ void AxisFit::settle(int most_rounds) {
   best.unlikeliness_ = std::numeric_limits<double>::infinity();
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < kMostInVain; ++round) {
-    fit_noise(axis_, *signals_, datasheet_.noise, model_);
+    fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, model_);
     refit();
     if (!std::isfinite(unlikeliness_)) break;
     in_vain = unlikeliness_ < best.unlikeliness_ - kSettledRound ? 0 : in_vain + 1;

@@ -4,6 +4,7 @@
 #include "sim_host/diagnose/gap_model.hpp"
 #include "sim_host/diagnose/gap_statistics.hpp"
 #include "sim_host/diagnose/linear_fit.hpp"
+#include "sim_host/diagnose/noise_fit.hpp"
 
 namespace morepro::host {
 
@@ -12,6 +13,11 @@ class AxisFit {
  public:
   /// `datasheet`: where the parameters start, and what they are drawn to where nothing is known about them.
   AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet);
+
+  /// From now on process noise may be fitted far below what observers usually assume: where nothing but the
+  /// controller's answer to the sensors' noise excites an axis, an observer that expects more noise than
+  /// there is takes a wrong mass for the better one.
+  void allow_little_noise() { least_noise_share_ = kLittleNoiseShare; }
 
   /// Fits the process noise alone.
   void match_noise();
@@ -79,6 +85,7 @@ class AxisFit {
   GapModel datasheet_;
   GapModel model_;
   Whitening whitening_;
+  double least_noise_share_ = kUsualNoiseShare;
   double unlikeliness_ = 0.0;
   int known_directions_ = 0;
   Eigen::VectorXd standard_error_;

@@ -14,6 +14,7 @@
 #include "sim_host/diagnose/effect_naming.hpp"
 #include "sim_host/diagnose/leftover.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
+#include "sim_host/diagnose/nominal_fit.hpp"
 #include "sim_host/diagnose/parameter_report.hpp"
 #include "sim_host/diagnose/reference_scales.hpp"
 #include "sim_host/diagnose/sampling_checks.hpp"
@@ -68,7 +69,7 @@ class Diagnosis {
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     datasheet_ = {.machine = machine_.configuration.machine,
                   .point = reference_point_for(machine_, signals_),
-                  .noise = least_noise(sensors)};
+                  .noise = usual_noise(sensors)};
     for (const auto& effect : machine_.effects)
       datasheet_.known.push_back(gap::restated(effect, file_scales(), recording_scales()));
     for (const Axis axis : {Axis::kSpindle, Axis::kFeed}) try_axis(axis);
@@ -112,20 +113,37 @@ class Diagnosis {
 
   void try_axis(Axis axis) {
     if (!is_evaluable(axis, signals_, machine_) || signals_.rows < kFewestRows) return;
-    const auto on_progress = [&](double share) {
-      options_.on_progress(axis == Axis::kSpindle ? "effects of the spindle" : "effects of the feed axis",
-                           share);
-    };
-    AxisOutcome outcome{
-        search_effects(axis, signals_, datasheet_, options_.excluded, kFixedThreshold, on_progress), {}, {}};
-    if (outcome.diagnosis.fit.unlikeliness() == 0.0) return;  // no row could be used
-    bootstrap(outcome);
-    drop_what_chance_explains(outcome);
-    outcome.leftover = leftover_of(outcome.diagnosis.fit, threshold_of(outcome));
+    const std::vector<AxisFit> starts = nominal_fits(AxisFit(axis, signals_, datasheet_));
+    if (starts.front().unlikeliness() == 0.0) return;  // no row could be used
+    AxisOutcome outcome = outcome_from(starts.front(), starts.front());
+    if (starts.size() > 1 && is_doubtful(outcome)) {
+      AxisOutcome other = outcome_from(starts.back(), starts.front());
+      if (other.diagnosis.cost() < outcome.diagnosis.cost()) outcome = std::move(other);
+    }
     outcome.diagnosis.fit.attribute_load();
     outcome.diagnosis.nominal.attribute_load();
     weigh_datasheet(outcome);
     outcomes_.push_back(std::move(outcome));
+  }
+
+  AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal) {
+    const auto on_progress = [&](double share) {
+      options_.on_progress(
+          start.axis() == Axis::kSpindle ? "effects of the spindle" : "effects of the feed axis", share);
+    };
+    AxisOutcome outcome{
+        search_effects(start, nominal, options_.excluded, kFixedThreshold, on_progress), {}, {}};
+    bootstrap(outcome);
+    drop_what_chance_explains(outcome);
+    outcome.leftover = leftover_of(outcome.diagnosis.fit, threshold_of(outcome));
+    return outcome;
+  }
+
+  /// Something is left, or it took many effects: perhaps the parameters that the search began with were not
+  /// the right ones.
+  static bool is_doubtful(const AxisOutcome& outcome) {
+    constexpr std::size_t kManyEffects = 3;
+    return outcome.leftover.gain >= kLeastUnnamed || outcome.diagnosis.found.size() >= kManyEffects;
   }
 
   void look_for_jitter() {
@@ -351,7 +369,7 @@ class Diagnosis {
   }
 
   void watch_like_a_board() {
-    const gap::GapNoise<double> sensors = least_noise(machine_.configuration.sensors);
+    const gap::GapNoise<double> sensors = usual_noise(machine_.configuration.sensors);
     gap::GapSettings settings{.noise = sensors, .spindle = {}, .feed = {}};
     for (const AxisOutcome& outcome : outcomes_) take_for_board(outcome, settings);
     const MachineParameters refitted = machine_with_effects().configuration.machine;

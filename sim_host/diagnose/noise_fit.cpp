@@ -9,8 +9,6 @@
 namespace morepro::host {
 namespace {
 
-// An observer of this share of process noise remembers some hundred samples.
-constexpr double kLeastShare = 0.01;
 constexpr double kMostShare = 100.0;
 constexpr std::size_t kStretches = 4;
 constexpr std::size_t kStretchRows = 2500;
@@ -52,24 +50,24 @@ void search(Axis axis, const RecordingSignals& signals, GapModel& model, double&
 
 }  // namespace
 
-gap::GapNoise<double> least_noise(const Sensors& sensors) {
+gap::GapNoise<double> usual_noise(const Sensors& sensors) {
   gap::GapNoise<double> noise;
   noise.speed_variance = sensors[Channel::kSpindleSpeed].variance();
   noise.current_variance = sensors[Channel::kArmatureCurrent].variance();
   noise.feed_speed_variance = sensors[Channel::kFeedSpeed].variance();
   noise.feed_position_variance = sensors[Channel::kFeedPosition].variance();
-  noise.speed_step = kLeastShare * std::sqrt(noise.speed_variance);
-  noise.current_step = kLeastShare * std::sqrt(noise.current_variance);
-  noise.feed_step = kLeastShare * std::sqrt(noise.feed_speed_variance);
+  noise.speed_step = kUsualNoiseShare * std::sqrt(noise.speed_variance);
+  noise.current_step = kUsualNoiseShare * std::sqrt(noise.current_variance);
+  noise.feed_step = kUsualNoiseShare * std::sqrt(noise.feed_speed_variance);
   return noise;
 }
 
 void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
-               GapModel& model) {
+               double least_share, GapModel& model) {
   auto& noise = model.noise;
   const auto search_step = [&](double& step, double sensor_variance) {
     const double sensor = std::sqrt(sensor_variance);
-    search(axis, signals, model, step, kLeastShare * sensor, kMostShare * sensor);
+    search(axis, signals, model, step, least_share * sensor, kMostShare * sensor);
   };
   if (axis == Axis::kFeed) {
     search_step(noise.feed_step, noise.feed_speed_variance);

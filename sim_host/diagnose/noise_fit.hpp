@@ -5,13 +5,18 @@
 
 namespace morepro::host {
 
-/// Sensor variances of the machine file, and the least process noise that an observer is given.
-gap::GapNoise<double> least_noise(const Sensors& sensors);
+/// Process noise per sample as a share of the sensor's, both as standard deviations. With the usual share an
+/// observer remembers some hundred samples.
+inline constexpr double kUsualNoiseShare = 0.01;
+inline constexpr double kLittleNoiseShare = 1.0e-4;
+
+/// Sensor variances of the machine file, and the usual process noise.
+gap::GapNoise<double> usual_noise(const Sensors& sensors);
 
 /// Chooses the process noise of one axis under which the innovations are most likely, on some stretches of
-/// the recording; never below that of `stated`, the machine file's. Of a thinned recording the position's
-/// noise too, which may be less than stated.
+/// the recording; not below `least_share`. Of a thinned recording the position's noise too, which may be less
+/// than `stated`, the machine file's.
 void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
-               GapModel& model);
+               double least_share, GapModel& model);
 
 }  // namespace morepro::host

@@ -9,6 +9,7 @@
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
+#include "sim_host/diagnose/nominal_fit.hpp"
 #include "sim_host/diagnose/recording_loader.hpp"
 #include "sim_host/diagnose/reference_scales.hpp"
 #include "sim_host/machine/machine_description.hpp"
@@ -79,12 +80,13 @@ Fitted fitted(const RecordingSignals& train, const RecordingSignals& test,
   const MachineDescription machine = viscous_machine();
   const GapModel datasheet{.machine = machine.configuration.machine,
                            .point = reference_point_for(machine, train),
-                           .noise = least_noise(machine.configuration.sensors)};
+                           .noise = usual_noise(machine.configuration.sensors)};
   std::vector<Effect> others;
   for (const gap::EffectInfo& info : gap::kEffects)
     if (std::find(allowed.begin(), allowed.end(), info.effect) == allowed.end())
       others.push_back(info.effect);
-  const AxisDiagnosis diagnosis = search_effects(Axis::kFeed, train, datasheet, others, 40.0);
+  const AxisFit nominal = nominal_fits(AxisFit(Axis::kFeed, train, datasheet)).front();
+  const AxisDiagnosis diagnosis = search_effects(nominal, nominal, others, 40.0);
   return {diagnosis.fit.model(), free_run_speed_error(test, diagnosis.fit.model())};
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "sim_host/diagnose/axis_fit.hpp"
+
+namespace morepro::host {
+
+/// Fits of the model without effects that a search may begin with, one or two, the likelier one first.
+/// `start` has the datasheet's parameters. Two ways lead there: process noise that is fitted to a datasheet
+/// far off leaves the parameters where they are, and parameters that are fitted without any bend to what it
+/// does.
+std::vector<AxisFit> nominal_fits(const AxisFit& start);
+
+}  // namespace morepro::host

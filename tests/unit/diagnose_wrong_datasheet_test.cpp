@@ -1,0 +1,61 @@
+// A datasheet far off, and recordings that say little more than that: the values are found, and no effect is
+// named in their place.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim_host/identify/machine_value.hpp"
+#include "sim_host/simulate/datasheet.hpp"
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+double value_of(const MachineDescription& machine, std::string_view name) {
+  for (std::size_t i = 0; i < host::kMachineValueCount; ++i) {
+    const auto value = static_cast<host::MachineValue>(i);
+    if (host::name_of(value) == name) return host::value_in(machine.configuration.machine, value);
+  }
+  ADD_FAILURE() << "no such value: " << name;
+  return 0.0;
+}
+
+struct Case {
+  const char* machine;
+  host::ProfileKind profile;
+  double fraction;
+  double duration_s;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.machine << ", " << static_cast<int>(c.profile) << ", " << c.fraction;
+}
+
+class WrongDatasheet : public testing::TestWithParam<Case> {};
+
+TEST_P(WrongDatasheet, IsAllThatIsFound) {
+  const MachineDescription truth = host::built_in_machine(GetParam().machine);
+  const auto signals = record({.duration_s = GetParam().duration_s,
+                               .seed = 3,
+                               .profile = GetParam().profile,
+                               .configuration = truth.configuration});
+  MachineDescription datasheet = truth;
+  datasheet.configuration.machine = host::datasheet_of(truth.configuration.machine, GetParam().fraction, 3);
+  const auto result = diagnosed(signals, datasheet);
+  EXPECT_EQ(result.verdict, host::Verdict::kParameterError) << said(result);
+  for (const auto& parameter : result.parameters) {
+    if (!parameter.is_identifiable) continue;
+    // Five standard errors, some thirty values: by chance once in 50,000 runs.
+    EXPECT_NEAR(parameter.refit, value_of(truth, parameter.name), 5.0 * parameter.standard_error)
+        << parameter.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, WrongDatasheet,
+                         testing::Values(Case{"thesis", host::ProfileKind::kProduction, 0.2, 20.0},
+                                         Case{"thesis", host::ProfileKind::kRich, 0.3, 3.0},
+                                         Case{"reference", host::ProfileKind::kProduction, 0.3, 3.0},
+                                         Case{"reference", host::ProfileKind::kRich, 0.3, 3.0}));
+
+}  // namespace
+}  // namespace morepro::diagnose_test
