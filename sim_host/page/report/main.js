@@ -1,0 +1,1 @@
+import { pageData } from "../shared/data.js"; document.title = pageData().command;
