@@ -43,7 +43,7 @@ void add_sensor_charts(Axis axis, std::size_t sensor, std::span<const ModelTrace
                  .title = fmt::format("{}: innovation over its standard deviation", names.name),
                  .unit = "1",
                  .lines = {},
-                 .limits = {{gate, "gate"}, {-gate, "gate"}},
+                 .limits = {{gate, "gate"}, {-gate, ""}},
                  .scale = "asinh"};
   Json spectra = Json::array();
   Json correlations = Json::array();
@@ -117,7 +117,7 @@ void add_model_charts(Axis axis, std::span<const ModelTrace* const> models, Repo
                            axis == Axis::kSpindle ? "Spindle" : "Feed axis", NisWindow::kInnovations),
       .unit = "1",
       .lines = {},
-      .limits = {{1.0 - NisWindow::bound(), "95 %"}, {1.0 + NisWindow::bound(), "95 %"}},
+      .limits = {{1.0 - NisWindow::bound(), ""}, {1.0 + NisWindow::bound(), "95 %"}},
       .scale = "log"};
   for (const ModelTrace* model : models) {
     nis.lines.push_back(nis_key(model->id()));

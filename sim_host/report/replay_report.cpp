@@ -135,7 +135,7 @@ void ReplayReport::add_monitor_charts(const ReplayResult& result) {
                                            RunningRatio::kMemory),
                       .unit = "1",
                       .lines = {"monitor.ratio"},
-                      .limits = {{1.0 - ratio_bound(), "95 %"}, {1.0 + ratio_bound(), "95 %"}},
+                      .limits = {{1.0 - ratio_bound(), ""}, {1.0 + ratio_bound(), "95 %"}},
                       .scale = "log"});
   if (!result.has_contact) return;
   page_.add(TimeChart{.section = "wear",

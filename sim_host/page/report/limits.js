@@ -40,6 +40,7 @@ export function markPlugin(marks) {
     line(plot, (context) => {
       context.moveTo(at, top);
       context.lineTo(at, top + height);
+      context.textAlign = "left";
       context.fillText(label, at + 3, top + (12 + 13 * (index % 3)) * devicePixelRatio);
     });
   };

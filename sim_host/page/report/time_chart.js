@@ -5,17 +5,21 @@ import { limitPlugin, readableTicks, yScale } from "./limits.js";
 import { phasePlugin } from "./phases.js";
 
 const HEIGHT = 190;
-/** What a model is called decides how it looks, in every chart. */
+const COLORS = 8;
+/** What a line is called decides how it looks, in every chart. */
 const LOOKS = {
   measured: { color: 0 },
   commanded: { color: 7, dash: [8, 4] },
   datasheet: { color: 1, dash: [6, 3] },
   refit: { color: 4, dash: [2, 3] },
 };
+/** In these sections the last line is the best model that there is. */
+const WITH_MODEL = ["model", "residuals", "free_run", "wear"];
 const MODEL = { color: 2 };
 
-function lookOf(label, index) {
-  return LOOKS[label] ?? (index < 2 ? MODEL : { color: index });
+function lookOf(label, index, lines, section) {
+  if (WITH_MODEL.includes(section) && index + 1 === lines.length) return MODEL;
+  return LOOKS[label] ?? { color: index, dash: index < COLORS ? undefined : [3, 3] };
 }
 
 const waiting = [];
@@ -93,8 +97,8 @@ function halfWidth(plot, _, column, at) {
 }
 
 function seriesOf(lines, bands, section) {
-  const look = (label, index) => (section === "model" && index === 1 ? MODEL : lookOf(label, index));
-  const series = lines.map(({ label }, index) => ({ label, ...look(label, index), more: { width: 1.25 } }));
+  const look = ({ label }, index) => lookOf(label, index, lines, section);
+  const series = lines.map((line, index) => ({ label: line.label, ...look(line, index), more: { width: 1.25 } }));
   const edge = (label, more) => ({ label, color: 2, more: { width: 0, points: { show: false }, ...more } });
   for (const { label } of bands)
     series.push(edge(`± ${label}`, { value: halfWidth }), edge("", { class: "other-edge" }));
