@@ -99,7 +99,7 @@ void run(const ReplayArguments& arguments) {
 
   const ReplayFiles files(arguments);
   std::optional<ReplayReport> report;
-  if (files.report) report.emplace(recording.info(), machine);
+  if (files.report) report.emplace(recording, machine);
   const ReplayResult result =
       replay_into(files, recording, machine, report ? &*report : nullptr, arguments.progress == "auto");
   const std::string text = result_json(result);

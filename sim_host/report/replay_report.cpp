@@ -40,27 +40,31 @@ Json events_of(const ReplayResult& result) {
   for (const TimelineEntry& entry : result.timeline) {
     if (events.size() == kMostEvents) break;
     const ReasonText reason = text_of(static_cast<ReasonCode>(entry.reason));
-    events.push_back({{"time_s", entry.time_s},
-                      {"state", name_of(entry.state)},
-                      {"reason", reason.name},
-                      {"sentence", reason.sentence}});
+    const bool is_valid = entry.chip_load_state == ChipLoadState::kValid;
+    const double hypothesis_mm = result.configuration.grid.value_mm(entry.selected_hypothesis);
+    events.push_back(
+        {{"time_s", entry.time_s},
+         {"state", name_of(entry.state)},
+         {"hypothesis", is_valid ? Json(fmt::format("{:.4g} mm", hypothesis_mm)) : Json(nullptr)},
+         {"reason", reason.name},
+         {"sentence", reason.sentence}});
   }
   return {{"listed", std::move(events)}, {"changes", result.timeline_changes}};
 }
 
 }  // namespace
 
-ReplayReport::ReplayReport(const RecordingInfo& recording, const MachineDescription& machine)
-    : page_("replay"),
-      rate_hz_(recording.rate_hz),
+ReplayReport::ReplayReport(const RecordingReader& recording, const MachineDescription& machine)
+    : reader_(recording),
+      page_("replay"),
+      rate_hz_(recording.info().rate_hz),
       teeth_(static_cast<int>(machine.configuration.machine.tool.teeth)),
-      start_us_(recording.start_us),
-      time_us_(recording.start_us),
-      recording_(1.0 / rate_hz_, machine.configuration.sensors, buckets_of(recording)),
+      recording_(1.0 / rate_hz_, machine.configuration.sensors, buckets_of(recording.info())),
       model_(machine),
-      traces_{ModelTrace(Axis::kSpindle, "spindle_model", "model", 1.0 / rate_hz_, buckets_of(recording)),
-              ModelTrace(Axis::kFeed, "feed_model", "model", 1.0 / rate_hz_, buckets_of(recording))},
-      monitor_(1.0 / rate_hz_, buckets_of(recording)) {
+      traces_{
+          ModelTrace(Axis::kSpindle, "spindle_model", "model", 1.0 / rate_hz_, buckets_of(recording.info())),
+          ModelTrace(Axis::kFeed, "feed_model", "model", 1.0 / rate_hz_, buckets_of(recording.info()))},
+      monitor_(1.0 / rate_hz_, buckets_of(recording.info())) {
   columns_ = {monitor_.add("monitor.chip_load", "chip load that the torque looks like", "mm"),
               monitor_.add("monitor.chip_load_band", "2 standard errors", "mm"),
               monitor_.add("monitor.commanded", "commanded", "mm"),
@@ -75,8 +79,7 @@ ReplayReport::ReplayReport(const RecordingInfo& recording, const MachineDescript
 }
 
 void ReplayReport::take(const SensorFrame& frame, const BoardMonitor& monitor) {
-  time_us_ = unwrapped(frame.time_us, time_us_);
-  const double place = std::round(static_cast<double>(time_us_ - start_us_) * 1.0e-6 * rate_hz_);
+  const double place = std::round(reader_.tally().duration_s * rate_hz_);
   if (!(place >= static_cast<double>(rows_))) return;  // a repeated frame, or one from before
   const auto row = static_cast<std::uint64_t>(place);
   rows_ = row + 1;
@@ -115,7 +118,7 @@ ReportPage& ReplayReport::finish(const ReplayResult& result) {
     add_model_charts(axis == 0 ? Axis::kSpindle : Axis::kFeed, models, page_);
   }
   add_monitor_charts(result);
-  page_.set_span(seconds(start_us_), static_cast<double>(rows_) / rate_hz_, rate_hz_);
+  page_.set_span(seconds(result.info.start_us), static_cast<double>(rows_) / rate_hz_, rate_hz_);
   return page_;
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/monitor/monitor.hpp"
-#include "sim_host/recording/recording_info.hpp"
+#include "sim_host/recording/recording_reader.hpp"
 #include "sim_host/replay/replay_result.hpp"
 #include "sim_host/report/live_model.hpp"
 #include "sim_host/report/model_trace.hpp"
@@ -15,7 +15,9 @@ namespace morepro::host {
 /// longer than memory.
 class ReplayReport {
  public:
-  ReplayReport(const RecordingInfo& recording, const MachineDescription& machine);
+  /// `recording` is read by the replay; it knows the time of the last frame, however long the one before is
+  /// ago.
+  ReplayReport(const RecordingReader& recording, const MachineDescription& machine);
 
   /// After every frame: the frame as the board gave it, the monitor after it.
   void take(const SensorFrame& frame, const BoardMonitor& monitor);
@@ -29,11 +31,10 @@ class ReplayReport {
   void take_monitor(const SensorFrame& frame, const BoardMonitor& monitor);
   void add_monitor_charts(const ReplayResult& result);
 
+  const RecordingReader& reader_;
   ReportPage page_;
   double rate_hz_;
   int teeth_;
-  std::int64_t start_us_;
-  std::int64_t time_us_;
   std::uint64_t rows_ = 0;
   RecordingTrace recording_;
   LiveModel model_;

@@ -4,6 +4,8 @@ import { element, spoken } from "./element.js";
 const SIGNIFICANT = 0.01;
 /** Ratio at which a cell has its darkest colour; the scale is logarithmic. */
 const DARKEST = 100;
+/** Of the colour, in percent: text stays readable on it, light or dark. */
+const STRONGEST = 65;
 const REGIMES = {
   contact: { title: "Contact", name: ({ from }) => (from > 0 ? "in contact" : "in the air") },
   direction: { title: "Direction", name: ({ from }) => (from > 0 ? "forward" : "backward") },
@@ -20,8 +22,7 @@ function cellOf(cell, regime) {
   const made = element("td", { className: "heat" },
     element("b", { text: shown(cell.residual_ratio, 3) }),
     element("span", { text: (regime.name ?? range)(cell) }));
-  made.style.setProperty("--heat", `${Math.round(100 * share)}%`);
-  made.classList.toggle("hot", share > 0.6);
+  made.style.setProperty("--heat", `${Math.round(STRONGEST * share)}%`);
   made.classList.toggle("significant", cell.p_value < SIGNIFICANT);
   made.title = `p = ${shown(cell.p_value, 2)}`;
   made.dataset.ratio = cell.residual_ratio;

@@ -67,6 +67,14 @@ export function yScale(scale, limits) {
   return { distr: DISTRIBUTION[scale] ?? 1, asinh: 3, range: rangeOf(scale, limits) };
 }
 
+/** A few round numbers, equally far apart. */
+function evenly(low, high) {
+  const step = 10 ** Math.floor(Math.log10((high - low) / 2));
+  const wide = [1, 2, 5].map((factor) => factor * step).find((size) => (high - low) / size <= 6) ?? 10 * step;
+  const first = Math.ceil(low / wide);
+  return Array.from({ length: Math.floor(high / wide) - first + 1 }, (_, i) => Number(((first + i) * wide).toPrecision(6)));
+}
+
 /** 1, 2 and 5 times powers of ten between two positive numbers; the powers alone where there are several. */
 function decades(low, high) {
   const powers = [];
@@ -74,7 +82,9 @@ function decades(low, high) {
   const inside = (value) => value >= low && value <= high;
   const whole = powers.filter(inside);
   if (whole.length > 6) return whole.filter((_, i) => i % 2 === 0);
-  return whole.length > 2 ? whole : powers.flatMap((power) => [power, 2 * power, 5 * power]).filter(inside);
+  if (whole.length > 2) return whole;
+  const some = powers.flatMap((power) => [power, 2 * power, 5 * power]).filter(inside);
+  return some.length > 2 ? some : evenly(low, high);
 }
 
 /** Ticks of an axis that is not linear, few enough to be read. */

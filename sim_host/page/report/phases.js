@@ -46,6 +46,25 @@ function hatch(context, x, y, width, height) {
   context.restore();
 }
 
+/** Writes what a span is into it, where it is wide enough. */
+export function nameSpans(plot, list, middle, nameOf) {
+  const { ctx: context, bbox } = plot;
+  context.save();
+  context.font = `${12 * devicePixelRatio}px system-ui`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillStyle = "#000";
+  for (const { from, to, value } of list) {
+    if (value == null || to < plot.scales.x.min || from > plot.scales.x.max) continue;
+    const left = Math.max(bbox.left, plot.valToPos(from, "x", true));
+    const right = Math.min(bbox.left + bbox.width, plot.valToPos(to, "x", true));
+    const name = nameOf(value);
+    if (right - left < 40 || context.measureText(name).width > right - left - 8) continue;
+    context.fillText(name, 0.5 * (left + right), middle);
+  }
+  context.restore();
+}
+
 /** Fills the spans that lie in a chart; those narrower than a pixel once per pixel. */
 export function paintSpans(plot, list, top, height, fillOf, isHatched = () => false) {
   const { ctx: context, bbox } = plot;

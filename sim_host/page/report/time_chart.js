@@ -5,6 +5,7 @@ import { limitPlugin, readableTicks, yScale } from "./limits.js";
 import { phasePlugin } from "./phases.js";
 
 const HEIGHT = 190;
+const AXIS_PX = 80;
 const COLORS = 8;
 /** What a line is called decides how it looks, in every chart. */
 const LOOKS = {
@@ -51,6 +52,7 @@ function whenNear(place, draw) {
 
 /** Common to all charts over time: one cursor, drag and double click change the view of all of them. */
 export function timeOptions(options, view) {
+  options.axes[1].size = AXIS_PX;
   options.scales.x = { time: false, range: () => [view.from, view.to] };
   options.cursor.drag = { x: true, y: false, setScale: false };
   options.cursor.sync.filters = { pub: (type) => type === "mousemove" || type === "mouseleave" };
@@ -90,10 +92,10 @@ export function followView(place, view, addIt) {
   });
 }
 
-/** Half of the distance of a band's edges. */
-function halfWidth(plot, _, column, at) {
+/** A band's two edges; the lower one is the next column. */
+function edges(plot, _, column, at) {
   if (at == null || plot.data[column][at] == null) return "–";
-  return shown(0.5 * (plot.data[column][at] - plot.data[column + 1][at]), 3);
+  return `${shown(plot.data[column + 1][at])} .. ${shown(plot.data[column][at])}`;
 }
 
 function seriesOf(lines, bands, section) {
@@ -101,7 +103,7 @@ function seriesOf(lines, bands, section) {
   const series = lines.map((line, index) => ({ label: line.label, ...look(line, index), more: { width: 1.25 } }));
   const edge = (label, more) => ({ label, color: 2, more: { width: 0, points: { show: false }, ...more } });
   for (const { label } of bands)
-    series.push(edge(`± ${label}`, { value: halfWidth }), edge("", { class: "other-edge" }));
+    series.push(edge(`± ${label}`, { value: edges }), edge("", { class: "other-edge" }));
   return series;
 }
 

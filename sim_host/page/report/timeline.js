@@ -2,7 +2,7 @@ import { addChart } from "../shared/chart.js";
 import { color } from "../shared/theme.js";
 import { tableOf } from "../shared/table.js";
 import { element } from "./element.js";
-import { paintSpans, PHASES, spans } from "./phases.js";
+import { nameSpans, paintSpans, PHASES, spans } from "./phases.js";
 import { followView, timeOptions } from "./time_chart.js";
 
 const ROW_PX = 30;
@@ -47,6 +47,7 @@ const stripPlugin = (list) => ({
     draw: (plot) => list.forEach((strip, i) => {
       const row = plot.bbox.height / list.length;
       paintSpans(plot, strip.spans, plot.bbox.top + (i + 0.15) * row, 0.7 * row, strip.fill);
+      nameSpans(plot, strip.spans, plot.bbox.top + (i + 0.5) * row, (value) => strip.names[value]);
     }),
   },
 });
@@ -85,6 +86,7 @@ const EVENTS = [
   ["time, s", (event) => event.time_s.toFixed(4), true],
   ["state", (event) => event.state],
   ["code", (event) => event.reason],
+  ["hypothesis", (event) => event.hypothesis ?? "–"],
   ["what it means", (event) => event.sentence],
 ];
 
