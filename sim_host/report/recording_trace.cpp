@@ -68,6 +68,10 @@ Json runs_of(const Pyramid& pyramid) {
   return runs;
 }
 
+int teeth_of(const MachineDescription& machine) {
+  return machine.has_contact ? static_cast<int>(machine.configuration.machine.tool.teeth) : 0;
+}
+
 RecordingTrace::RecordingTrace(double row_s, const Sensors& sensors, std::size_t most_buckets)
     : row_s_(row_s), watch_(sensors), table_(row_s, most_buckets) {
   for (std::size_t c = 0; c < kChannelCount; ++c)

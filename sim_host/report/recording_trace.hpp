@@ -2,6 +2,7 @@
 #include <array>
 
 #include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/machine/machine_description.hpp"
 #include "sim_host/report/phase.hpp"
 #include "sim_host/report/report_page.hpp"
 
@@ -16,6 +17,7 @@ class RecordingTrace {
   /// The frame of a row of the recording's grid; `row` increases.
   void take(std::uint64_t row, const SensorFrame& frame);
   void take_all(const RecordingSignals& signals);
+  /// `rows`: of the whole grid. `teeth`: of the tool; 0: unknown.
   void add_to(std::uint64_t rows, int teeth, ReportPage& page);
 
  private:
@@ -33,6 +35,9 @@ class RecordingTrace {
   /// Of the magnitude of the spindle speed in the air and in the cut: count, sum, sum of squares.
   std::array<std::array<double, 3>, 2> speed_{};
 };
+
+/// 0: the machine file describes no tool.
+int teeth_of(const MachineDescription& machine);
 
 inline constexpr std::size_t kSeriesOfRecording = kChannelCount + 2;
 

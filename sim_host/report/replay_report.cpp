@@ -13,6 +13,7 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kMostEvents = 200;
+constexpr std::size_t kSeriesOfMonitor = 8;
 constexpr double kTwoSided95 = 1.96;
 
 /// From what one would rather overlook to what one must not: a bucket shows the worst.
@@ -27,29 +28,12 @@ double rank_of(HealthState state) {
 
 std::size_t buckets_of(const RecordingInfo& recording) {
   const auto recorded = static_cast<std::size_t>(std::popcount(recording.recorded));
-  return buckets_for(recorded + 2 + 2 * kSeriesPerTrace + 6 + kMonitorHypotheses);
+  return buckets_for(recorded + 2 + 2 * kSeriesPerTrace + kSeriesOfMonitor + kMonitorHypotheses);
 }
 
 /// Of the monitor's exponential mean over pairs of innovations.
 double ratio_bound() {
   return kTwoSided95 / std::sqrt(2.0 * static_cast<double>(RunningRatio::kMemory) - 1.0);
-}
-
-Json events_of(const ReplayResult& result) {
-  Json events = Json::array();
-  for (const TimelineEntry& entry : result.timeline) {
-    if (events.size() == kMostEvents) break;
-    const ReasonText reason = text_of(static_cast<ReasonCode>(entry.reason));
-    const bool is_valid = entry.chip_load_state == ChipLoadState::kValid;
-    const double hypothesis_mm = result.configuration.grid.value_mm(entry.selected_hypothesis);
-    events.push_back(
-        {{"time_s", entry.time_s},
-         {"state", name_of(entry.state)},
-         {"hypothesis", is_valid ? Json(fmt::format("{:.4g} mm", hypothesis_mm)) : Json(nullptr)},
-         {"reason", reason.name},
-         {"sentence", reason.sentence}});
-  }
-  return {{"listed", std::move(events)}, {"changes", result.timeline_changes}};
 }
 
 }  // namespace
@@ -58,7 +42,7 @@ ReplayReport::ReplayReport(const RecordingReader& recording, const MachineDescri
     : reader_(recording),
       page_("replay"),
       rate_hz_(recording.info().rate_hz),
-      teeth_(static_cast<int>(machine.configuration.machine.tool.teeth)),
+      teeth_(teeth_of(machine)),
       recording_(1.0 / rate_hz_, machine.configuration.sensors, buckets_of(recording.info())),
       model_(machine),
       traces_{
@@ -68,6 +52,8 @@ ReplayReport::ReplayReport(const RecordingReader& recording, const MachineDescri
   columns_ = {monitor_.add("monitor.chip_load", "chip load that the torque looks like", "mm"),
               monitor_.add("monitor.chip_load_band", "2 standard errors", "mm"),
               monitor_.add("monitor.commanded", "commanded", "mm"),
+              monitor_.add("monitor.wear", "over the commanded one", "1"),
+              monitor_.add("monitor.wear_band", "2 standard errors", "1"),
               monitor_.add("monitor.ratio", "monitor on the board", "1"),
               monitor_.add("monitor.state", "State", "1"),
               monitor_.add("monitor.gated", "Rejected by the gate", "1")};
@@ -89,6 +75,20 @@ void ReplayReport::take(const SensorFrame& frame, const BoardMonitor& monitor) {
   });
   monitor_.begin_row(row);
   take_monitor(frame, monitor);
+  note_change(monitor.health());
+}
+
+void ReplayReport::note_change(const Health& health) {
+  const bool is_first = changes_ == 0;
+  if (!is_first && health.state == state_ && health.reason == reason_) return;
+  state_ = health.state;
+  reason_ = health.reason;
+  if (++changes_ > kMostEvents) return;
+  const ReasonText reason = text_of(static_cast<ReasonCode>(health.reason));
+  events_.push_back({{"time_s", reader_.tally().duration_s},
+                     {"state", name_of(health.state)},
+                     {"reason", reason.name},
+                     {"sentence", reason.sentence}});
 }
 
 void ReplayReport::take_monitor(const SensorFrame& frame, const BoardMonitor& monitor) {
@@ -98,13 +98,20 @@ void ReplayReport::take_monitor(const SensorFrame& frame, const BoardMonitor& mo
   monitor_.set(columns_.gated, is_gated ? 1.0 : 0.0);
   if (health.innovation_ratio > 0.0F)
     monitor_.set(columns_.ratio, static_cast<double>(health.innovation_ratio));
-  if (frame.has(Channel::kChipLoad))
-    monitor_.set(columns_.commanded, static_cast<double>(frame.get(Channel::kChipLoad)));
+  if (frame.has(Channel::kChipLoad)) {
+    commanded_mm_ = static_cast<double>(frame.get(Channel::kChipLoad));
+    monitor_.set(columns_.commanded, commanded_mm_);
+  }
   if (health.chip_load_state != ChipLoadState::kValid) return;
   const auto chip_load = static_cast<double>(health.chip_load_mm);
   const auto error = 2.0 * static_cast<double>(health.chip_load_standard_error_mm);
   monitor_.set(columns_.chip_load, chip_load);
   monitor_.set(columns_.error, chip_load - error, chip_load + error);
+  if (commanded_mm_ > 0.0) {
+    monitor_.set(columns_.wear, chip_load / commanded_mm_);
+    monitor_.set(columns_.wear_error, (chip_load - error) / commanded_mm_,
+                 (chip_load + error) / commanded_mm_);
+  }
   for (std::size_t j = 0; j < probability_.size(); ++j)
     monitor_.set(probability_[j], static_cast<double>(monitor.probability(j)));
 }
@@ -131,7 +138,7 @@ void ReplayReport::add_monitor_charts(const ReplayResult& result) {
                           {"runs", runs_of(monitor_.pyramid(columns_.state))}};
   page_.part("gated") = {{"bucket_s", monitor_.bucket_s()},
                          {"runs", runs_of(monitor_.pyramid(columns_.gated))}};
-  page_.part("events") = events_of(result);
+  page_.part("events") = {{"listed", events_}, {"changes", changes_}};
   page_.part("timing") = {{"frames", result.frames}, {"elapsed_s", result.elapsed_s}};
   page_.add(TimeChart{.section = "residuals",
                       .title = fmt::format("Monitor on the board: NIS per degree of freedom over {} frames",
@@ -146,6 +153,16 @@ void ReplayReport::add_monitor_charts(const ReplayResult& result) {
                       .unit = "mm",
                       .lines = {"monitor.commanded", "monitor.chip_load"},
                       .band = "monitor.chip_load_band"});
+  const WearLimits& limits = result.configuration.wear;
+  page_.add(TimeChart{.section = "wear",
+                      .title = "Wear: the chip load that the torque looks like, over the commanded one",
+                      .unit = "1",
+                      .lines = {"monitor.wear"},
+                      .band = "monitor.wear_band",
+                      .limits = {{limits.replace_ratio, "REPLACE"},
+                                 {limits.watch_ratio, "WATCH"},
+                                 {1.0, "sharp"},
+                                 {limits.low_ratio, "too little"}}});
   TimeChart bank{.section = "hypotheses", .title = "Probability of each chip load", .unit = "1", .lines = {}};
   for (std::size_t j = 0; j < probability_.size(); ++j)
     bank.lines.push_back(fmt::format("monitor.probability.{}", j));

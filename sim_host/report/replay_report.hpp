@@ -26,9 +26,10 @@ class ReplayReport {
 
  private:
   struct MonitorColumns {
-    std::size_t chip_load, error, commanded, ratio, state, gated;
+    std::size_t chip_load, error, commanded, wear, wear_error, ratio, state, gated;
   };
   void take_monitor(const SensorFrame& frame, const BoardMonitor& monitor);
+  void note_change(const Health& health);
   void add_monitor_charts(const ReplayResult& result);
 
   const RecordingReader& reader_;
@@ -41,6 +42,11 @@ class ReplayReport {
   std::array<ModelTrace, 2> traces_;
   SeriesTable monitor_;
   MonitorColumns columns_{};
+  double commanded_mm_ = 0.0;
+  HealthState state_ = HealthState::kNotEnoughData;
+  std::uint16_t reason_ = 0;
+  std::uint64_t changes_ = 0;
+  Json events_ = Json::array();
   std::vector<std::size_t> probability_;
 };
 

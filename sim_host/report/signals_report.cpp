@@ -27,7 +27,7 @@ void SignalsReport::take_recording(const RecordingSignals& signals, const Machin
   most_buckets_ = buckets_for(kAxes * kSeriesPerAxis + recorded + 2);
   RecordingTrace trace(1.0 / signals.rate_hz, machine.configuration.sensors, most_buckets_);
   trace.take_all(signals);
-  trace.add_to(signals.rows, static_cast<int>(machine.configuration.machine.tool.teeth), page_);
+  trace.add_to(signals.rows, teeth_of(machine), page_);
   page_.set_span(signals.start_s, signals.duration_s(), signals.rate_hz);
 }
 

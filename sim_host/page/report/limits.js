@@ -72,7 +72,8 @@ function evenly(low, high) {
   const step = 10 ** Math.floor(Math.log10((high - low) / 2));
   const wide = [1, 2, 5].map((factor) => factor * step).find((size) => (high - low) / size <= 6) ?? 10 * step;
   const first = Math.ceil(low / wide);
-  return Array.from({ length: Math.floor(high / wide) - first + 1 }, (_, i) => Number(((first + i) * wide).toPrecision(6)));
+  const count = Math.floor(high / wide) - first + 1;
+  return Array.from({ length: count }, (_, i) => Number(((first + i) * wide).toPrecision(6)));
 }
 
 /** 1, 2 and 5 times powers of ten between two positive numbers; the powers alone where there are several. */

@@ -7,8 +7,8 @@ const HEIGHT = 190;
 const HARMONICS = 2;
 const STEADY = 0.05;
 const TEXT =
-  "What the model did not expect. Where it is right, innovations are white and of unit variance; the monitor rejects a " +
-  "measurement beyond the gate.";
+  "What the model did not expect. Where it is right, innovations are white and of unit variance; the monitor rejects " +
+  "a measurement beyond the gate.";
 
 const look = ({ label }, index, all) => {
   const isBefore = index + 1 < all.length;
@@ -21,7 +21,7 @@ function marksOf(turning) {
   const orders = new Map();
   for (let k = 1; k <= HARMONICS; ++k) {
     orders.set(k, `${k} x spindle`);
-    orders.set(k * teeth, k * teeth > HARMONICS ? `${k} x teeth` : orders.get(k));
+    if (k * teeth > HARMONICS) orders.set(k * teeth, `${k} x teeth`);
   }
   return [...orders].map(([order, label]) => ({ x: order * f, label }));
 }
@@ -67,7 +67,8 @@ function addAutocorrelation(place, { title, autocorrelations }) {
 
 function speedText({ mean_hz: f, spread, teeth }) {
   const steady = spread < STEADY ? "" : ` It varied by ${percent(spread, 0)}, so lines of the spindle are blurred.`;
-  return `Upright lines: the spindle's mean ${f.toFixed(1)} Hz and its ${teeth} teeth.${steady}`;
+  const tool = teeth > 0 ? `, of its ${teeth} teeth` : "";
+  return `Upright lines: multiples of the spindle's mean ${f.toFixed(1)} Hz${tool}.${steady}`;
 }
 
 export const residuals = {

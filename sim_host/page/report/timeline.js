@@ -8,6 +8,8 @@ import { followView, timeOptions } from "./time_chart.js";
 const ROW_PX = 30;
 const POINTS = 2000;
 const FIRST_EVENTS = 12;
+const WHOLE = "No rows are missing.";
+const NEVER_GATED = "The gate rejected no measurement.";
 const NO_PHASES = "The recording holds neither contact nor a speed, so it does not tell what the machine was doing.";
 
 function strips({ data, phases }) {
@@ -26,7 +28,7 @@ function strips({ data, phases }) {
   };
   if (data.gated) flag("Gate", data.gated, "a measurement was rejected");
   flag("Dropouts", { ...data.missing, runs: data.missing.runs.map(([i, v]) => [i, v ?? 1]) }, "rows are missing");
-  return list;
+  return list.filter((strip) => strip.spans.some(({ value }) => value != null));
 }
 
 /** Narrow spans are not looked for one by one: the last that begins before the time. */
@@ -52,9 +54,8 @@ const stripPlugin = (list) => ({
   },
 });
 
-function addStrips(place, context) {
+function addStrips(place, list, context) {
   const { view } = context;
-  const list = strips(context);
   const columns = () => {
     const times = Array.from({ length: POINTS + 1 }, (_, i) => view.from + (view.span * i) / POINTS);
     return [times, ...list.map(() => times.map(() => null))];
@@ -86,7 +87,6 @@ const EVENTS = [
   ["time, s", (event) => event.time_s.toFixed(4), true],
   ["state", (event) => event.state],
   ["code", (event) => event.reason],
-  ["hypothesis", (event) => event.hypothesis ?? "–"],
   ["what it means", (event) => event.sentence],
 ];
 
@@ -106,10 +106,18 @@ export const timeline = {
   id: "timeline",
   title: "Timeline",
   build(place, context) {
-    const slot = element("div", { className: "slot" });
-    place.append(slot);
-    addStrips(slot, context);
-    if (context.phases.length === 0) place.append(element("p", { className: "muted", text: NO_PHASES }));
+    const list = strips(context);
+    const has = (title) => list.some((strip) => strip.title === title);
+    if (list.length > 0) {
+      const slot = element("div", { className: "slot" });
+      place.append(slot);
+      addStrips(slot, list, context);
+    }
+    const words = [];
+    if (!has("Phase")) words.push(NO_PHASES);
+    if (!has("Dropouts")) words.push(WHOLE);
+    if (context.data.gated && !has("Gate")) words.push(NEVER_GATED);
+    if (words.length > 0) place.append(element("p", { className: "muted", text: words.join(" ") }));
     if (context.data.events) addEvents(place, context.data.events);
   },
 };
