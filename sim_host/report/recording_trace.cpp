@@ -73,7 +73,7 @@ int teeth_of(const MachineDescription& machine) {
 }
 
 RecordingTrace::RecordingTrace(double row_s, const Sensors& sensors, std::size_t most_buckets)
-    : row_s_(row_s), watch_(sensors), table_(row_s, most_buckets) {
+    : watch_(sensors), table_(row_s, most_buckets) {
   for (std::size_t c = 0; c < kChannelCount; ++c)
     columns_[c] = table_.add(key(c), std::string(kLabels[c].name), std::string(kLabels[c].unit));
   phase_column_ = table_.add("recording.phase", "Phase", "1");

@@ -23,7 +23,6 @@ class RecordingTrace {
  private:
   void take_speed(double speed_rad_s, Phase phase);
 
-  double row_s_;
   PhaseWatch watch_;
   SeriesTable table_;
   std::array<std::size_t, kChannelCount> columns_{};
@@ -38,8 +37,6 @@ class RecordingTrace {
 
 /// 0: the machine file describes no tool.
 int teeth_of(const MachineDescription& machine);
-
-inline constexpr std::size_t kSeriesOfRecording = kChannelCount + 2;
 
 /// Changes of a signal that holds whole numbers: [[first bucket, number], ...], null where there is none.
 Json runs_of(const Pyramid& pyramid);

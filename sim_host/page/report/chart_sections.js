@@ -28,6 +28,7 @@ export const hypotheses = charts("hypotheses", "Hypotheses",
   "Probability of each chip load of the bank, while the tool cuts and the monitor can tell.",
   "The monitor could not tell the chip load at any time of this recording.", "replay");
 export const wear = charts("wear", "Wear",
-  "The chip load that the torque looks like beside the commanded one: a blunt tool needs the torque of a thicker chip. " +
-    "Before it says WATCH or REPLACE the monitor allows for errors of the datasheet and waits whether it lasts.",
+  "The chip load that the torque looks like beside the commanded one: a blunt tool needs the torque of a " +
+    "thicker chip. Before it says WATCH or REPLACE the monitor allows for errors of the datasheet and waits " +
+    "whether it lasts.",
   "The machine file describes no tool, so there is no wear to speak of.", "replay");
