@@ -185,6 +185,10 @@ test("where, which and how far are those of the JSON", async () => {
   assert.deepEqual(sorted(ratios), sorted(expected));
   assert.deepEqual(await page.$$eval(".cause", (all) => all.map(({ dataset }) => dataset.effect)),
     which.map(({ effect }) => effect));
+  const { from, to } = where[0].cells.findLast(({ by }) => by === "time");
+  await page.click(".map:has(caption:text-is('Time, s')) tr:first-of-type .heat:last-of-type");
+  const shown = await shownTime(page);
+  assert.ok(Math.abs(shown[0] - from) < 1e-9 && Math.abs(shown[1] - Math.min(to, SECONDS)) < 1e-9, `${shown}`);
 });
 
 test("the page names the command and the recording's bytes", async () => {

@@ -23,7 +23,7 @@ function boardText({ verdict, effect, where, alias_set: aliases, confidence }) {
 function buildDiagnosis(place, context) {
   const { result } = context;
   heading(place, "Where: residual power in units of the noise floor, after the refit");
-  addHeatMap(place, result.where);
+  addHeatMap(place, result.where, context.view);
   heading(place, "Which");
   addCauses(place, result);
   heading(place, "How far, on data that was not used to find it");

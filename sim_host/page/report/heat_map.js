@@ -29,7 +29,19 @@ function cellOf(cell, regime) {
   return made;
 }
 
-function mapOf(by, balances) {
+/** A stretch of time leads to it in all charts. */
+function lead(cell, { from, to }, view) {
+  cell.tabIndex = 0;
+  cell.setAttribute("role", "button");
+  cell.title += "; shows this time in all charts";
+  cell.addEventListener("click", () => view.set(from, to));
+  cell.addEventListener("keydown", ({ key }) => {
+    if (key === "Enter") view.set(from, to);
+  });
+  return cell;
+}
+
+function mapOf(by, balances, view) {
   const regime = REGIMES[by] ?? { title: by };
   const table = element("table", { className: "heatmap" }, element("caption", { text: regime.title }));
   const width = Math.max(...balances.map(({ cells }) => cells.filter((cell) => cell.by === by).length));
@@ -37,7 +49,10 @@ function mapOf(by, balances) {
     const row = table.insertRow();
     row.append(element("th", { scope: "row", text: spoken(balance) }));
     const own = cells.filter((cell) => cell.by === by);
-    for (const cell of own) row.append(cellOf(cell, regime));
+    for (const cell of own) {
+      const made = cellOf(cell, regime);
+      row.append(by === "time" ? lead(made, cell, view) : made);
+    }
     if (own.length < width)
       row.append(element("td", { className: "muted", colSpan: width - own.length, text: own.length ? "" : "–" }));
   }
@@ -58,14 +73,15 @@ function overall(balances) {
 }
 
 const LEGEND =
-  "1 is a perfect model. An outlined cell is more than chance (p below 0.01, corrected for the number of cells).";
+  "1 is a perfect model. An outlined cell is more than chance (p below 0.01, corrected for the number of cells). A cell " +
+  "of time shows that time in all charts.";
 
 /** Balances down, regimes across: one map per kind of regime. */
-export function addHeatMap(place, where) {
+export function addHeatMap(place, where, view) {
   const evaluated = where.filter((balance) => balance.evaluated);
   const kinds = [...new Set(evaluated.flatMap(({ cells }) => cells.map(({ by }) => by)))];
   if (evaluated.length > 0) {
-    const maps = [overall(evaluated), ...kinds.map((by) => mapOf(by, evaluated))];
+    const maps = [overall(evaluated), ...kinds.map((by) => mapOf(by, evaluated, view))];
     place.append(element("div", { className: "maps" }, ...maps.map((map) => element("div", { className: "map" }, map))),
       element("p", { className: "muted", text: LEGEND }));
   }

@@ -3,6 +3,7 @@ import "./style.css";
 import "./gap.css";
 import "./print.css";
 import { pageData } from "../shared/data.js";
+import { spoken } from "./element.js";
 import { gap } from "./gap.js";
 import { budget } from "./budget.js";
 import { hypotheses, model, signals, wear } from "./chart_sections.js";
@@ -28,6 +29,8 @@ const context = {
   data, view, result: data.result, command: data.command,
   store: new SeriesStore(data.series, 1 / data.span.rate_hz),
   phases: phaseSpans(data.phases, data.span.duration_s),
+  marks: (data.result.where ?? []).filter(({ onset_s: onset }) => onset != null)
+    .map(({ balance, onset_s: x }) => ({ x, label: `${spoken(balance)}: an effect sets in` })),
 };
 
 document.title = `${TITLES[data.command]}: ${recording.file}`;

@@ -1,7 +1,7 @@
 import { addChart } from "../shared/chart.js";
 import { shown } from "../shared/number.js";
 import { color } from "../shared/theme.js";
-import { limitPlugin, readableTicks, yScale } from "./limits.js";
+import { limitPlugin, markPlugin, readableTicks, yScale } from "./limits.js";
 import { phasePlugin } from "./phases.js";
 
 const HEIGHT = 190;
@@ -108,7 +108,7 @@ function seriesOf(lines, bands, section) {
 }
 
 /** `chart`: as the program wrote it. False where there is nothing to draw. */
-export function addTimeChart(place, chart, { store, view, phases }) {
+export function addTimeChart(place, chart, { store, view, phases, marks }) {
   const lines = chart.lines.map((id) => store.get(id)).filter(Boolean);
   const bands = chart.band && store.get(chart.band) ? [store.get(chart.band)] : [];
   if (lines.length === 0) return false;
@@ -127,7 +127,7 @@ export function addTimeChart(place, chart, { store, view, phases }) {
     const drawn = addChart(slot, {
       title: chart.title, x: "time, s", y: chart.unit, height: HEIGHT, sync: "time",
       series: seriesOf(lines, bands, chart.section), scales: { y: yScale(chart.scale, chart.limits) },
-      plugins: [phasePlugin(phases), limitPlugin(chart.limits)], adjust,
+      plugins: [phasePlugin(phases), limitPlugin(chart.limits), markPlugin(marks)], adjust,
     }, columns);
     drawn.refresh = () => drawn.plot.setData(columns(drawn.plot.width));
     return drawn;
