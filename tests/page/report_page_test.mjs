@@ -67,8 +67,8 @@ const inkOf = (page, selector) =>
     const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
     let ink = 0;
     for (let i = 0; i < data.length; i += 4) {
-      const rgb = data.slice(i, i + 3);
-      if (data[i + 3] > 150 && Math.max(...rgb) - Math.min(...rgb) > 60) ++ink;
+      const [red, green, blue, alpha] = [data[i], data[i + 1], data[i + 2], data[i + 3]];
+      if (alpha > 150 && Math.max(red, green, blue) - Math.min(red, green, blue) > 60) ++ink;
     }
     return ink;
   }));
@@ -108,7 +108,7 @@ for (const command of COMMANDS) {
 
 test("dragging over one chart changes the time of all, a double click restores it", async () => {
   const { page, faults } = await open("diagnose");
-  await waitForCharts(page);
+  await page.waitForSelector("#model .slot:last-child canvas");
   const over = await page.$("#model .u-over");
   await over.scrollIntoViewIfNeeded();
   const { x, y, width, height } = await over.boundingBox();
