@@ -23,6 +23,36 @@ void add_progress_option(CLI::App& command, std::string& mode) {
       ->capture_default_str();
 }
 
+void add_report_option(CLI::App& command, std::string& file) {
+  command.add_option("--report", file, "page with the result and its evidence (HTML, one file, no network)");
+}
+
+namespace {
+
+std::string& kept_line() {
+  static std::string line;
+  return line;
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+void keep_command_line(int count, const char* const* words) {
+  std::string& line = kept_line();
+  line = "morepro";
+  for (int i = 1; i < count; ++i) line += " " + quoted(words[i]);
+}
+
+const std::string& command_line() { return kept_line(); }
+
 void warn(std::string_view sentence) { fmt::print(stderr, "morepro: warning: {}\n", sentence); }
 
 }  // namespace morepro::host

@@ -22,6 +22,13 @@ CLI::Validator between(double lowest, double highest, const std::string& unit);
 /// --progress auto|off
 void add_progress_option(CLI::App& command, std::string& mode);
 
+/// --report FILE.html
+void add_report_option(CLI::App& command, std::string& file);
+
+/// What was typed, quoted for a shell, so that it can be typed again: kept by main, shown in reports.
+void keep_command_line(int count, const char* const* words);
+const std::string& command_line();
+
 /// A sentence on stderr that does not end the job.
 void warn(std::string_view sentence);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "sim_host/diagnose/recording_loader.hpp"
 #include "sim_host/machine/machine_file_writer.hpp"
 #include "sim_host/replay/replay_session.hpp"
+#include "sim_host/report/signals_report.hpp"
 #include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/output_file.hpp"
 #include "sim_host/support/progress.hpp"
@@ -24,6 +26,7 @@ struct DiagnoseArguments {
   std::string machine;
   std::string json;
   std::string apply;
+  std::string report;
   std::vector<std::string> exclude;
   int bootstrap_runs = 200;
   std::uint64_t seed = 1;
@@ -40,7 +43,9 @@ gap::Effect effect_of(const std::string& name) {
 
 void run(const DiagnoseArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
-                 {{"--json", arguments.json}, {"--apply", arguments.apply}});
+                 {{"--json", arguments.json}, {"--apply", arguments.apply}, {"--report", arguments.report}});
+  std::optional<SignalsReport> report;
+  if (!arguments.report.empty()) report.emplace("diagnose");
   DiagnosisOptions options{
       .bootstrap_runs = arguments.bootstrap_runs, .excluded = {}, .seed = arguments.seed};
   for (const std::string& name : arguments.exclude) options.excluded.push_back(effect_of(name));
@@ -50,19 +55,28 @@ void run(const DiagnoseArguments& arguments) {
   for (const std::string& notice : notices) warn(notice);
   const auto json = open_if_asked(arguments.json);
   const auto applied = open_if_asked(arguments.apply);
+  const auto page = open_if_asked(arguments.report);
   RecordingSignals signals = load_signals(recording, machine.usable_channels());
   check_contact(signals, machine);
+  if (report) {
+    report->take_recording(signals, machine);
+    options.on_axis = [&report](const AxisDiagnosis& axis) { report->take(axis); };
+  }
   MachineDescription with_effects;
   StageProgress progress("diagnose", arguments.progress != "off");
   options.on_progress = [&progress](std::string_view stage, double share) { progress.show(stage, share); };
   DiagnosisResult result = diagnose(std::move(signals), machine, options, with_effects);
   result.file = recording.info().file;
   for (const std::string& notice : result.notices) warn(notice);
-  if (json) json->write(diagnosis_json(result));
+  const std::string text = diagnosis_json(result);
+  if (json) json->write(text);
+  if (page) page->write(report->html(text, command_line(), {arguments.recording, arguments.machine}));
   if (applied) applied->write(machine_file_text(with_effects));
-  if (arguments.json != "-" && arguments.apply != "-") fmt::print("{}", diagnosis_text(result));
+  if (arguments.json != "-" && arguments.apply != "-" && arguments.report != "-")
+    fmt::print("{}", diagnosis_text(result));
   if (json) json->commit();
   if (applied) applied->commit();
+  if (page) page->commit();
 }
 
 }  // namespace
@@ -83,6 +97,7 @@ void add_diagnose(CLI::App& program) {
   command->add_option("--exclude", arguments->exclude, "take an effect out of the catalogue; repeatable");
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
   command->add_option("--apply", arguments->apply, "write the machine with what was found (TOML)");
+  add_report_option(*command, arguments->report);
   command->add_option("--seed", arguments->seed, "of the bootstrap")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "sim_host/identify/identification.hpp"
 #include "sim_host/machine/machine_file_writer.hpp"
 #include "sim_host/replay/replay_session.hpp"
+#include "sim_host/report/signals_report.hpp"
 #include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/output_file.hpp"
 #include "sim_host/support/progress.hpp"
@@ -32,6 +34,7 @@ struct IdentifyArguments {
   std::string filter = "states";
   std::string json;
   std::string apply;
+  std::string report;
   std::string progress = "auto";
 };
 
@@ -54,13 +57,16 @@ void note_assumptions(const RecordingSignals& signals, const MachineDescription&
 
 void run(const IdentifyArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
-                 {{"--json", arguments.json}, {"--apply", arguments.apply}});
+                 {{"--json", arguments.json}, {"--apply", arguments.apply}, {"--report", arguments.report}});
+  std::optional<SignalsReport> report;
+  if (!arguments.report.empty()) report.emplace("identify");
   RecordingReader recording(arguments.recording);
   std::vector<std::string> notices = recording.info().warnings;
   const MachineDescription machine = machine_for(recording, arguments.machine, notices);
   for (const std::string& notice : notices) warn(notice);
   const auto json = open_if_asked(arguments.json);
   const auto applied = open_if_asked(arguments.apply);
+  const auto page = open_if_asked(arguments.report);
   const RecordingSignals signals = load_signals(recording, machine.usable_channels());
   check_contact(signals, machine);
   note_assumptions(signals, machine);
@@ -72,11 +78,20 @@ void run(const IdentifyArguments& arguments) {
     progress.show(fmt::format("{}, pass {}", stage, ++pass), 0.0);
   });
   result.file = recording.info().file;
-  if (json) json->write(identification_json(result));
-  if (applied) applied->write(machine_file_text(identified_machine(machine, result)));
-  if (arguments.json != "-" && arguments.apply != "-") fmt::print("{}", identification_text(result));
+  const std::string text = identification_json(result);
+  const MachineDescription identified = identified_machine(machine, result);
+  if (json) json->write(text);
+  if (applied) applied->write(machine_file_text(identified));
+  if (page) {
+    report->take_recording(signals, machine);
+    report->take(signals, machine, identified);
+    page->write(report->html(text, command_line(), {arguments.recording, arguments.machine}));
+  }
+  if (arguments.json != "-" && arguments.apply != "-" && arguments.report != "-")
+    fmt::print("{}", identification_text(result));
   if (json) json->commit();
   if (applied) applied->commit();
+  if (page) page->commit();
 }
 
 }  // namespace
@@ -99,6 +114,7 @@ void add_identify(CLI::App& program) {
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
   command->add_option("--apply", arguments->apply,
                       "write the machine with the values that were identified (TOML)");
+  add_report_option(*command, arguments->report);
   add_progress_option(*command, arguments->progress);
   command->callback([arguments] { run(*arguments); });
 }

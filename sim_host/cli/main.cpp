@@ -34,6 +34,7 @@ std::string unknown_command(const CLI::App& program, std::string_view word) {
 }
 
 int run(int argc, char** argv) {
+  morepro::host::keep_command_line(argc, argv);
   CLI::App program{"Tool wear and machine health from sensor recordings: the monitor of the board, on a PC.",
                    "morepro"};
   program.require_subcommand(1);

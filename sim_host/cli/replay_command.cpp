@@ -9,10 +9,12 @@
 
 #include "sim_host/cli/command.hpp"
 #include "sim_host/machine/monitor_effects.hpp"
+#include "sim_host/page/page.hpp"
 #include "sim_host/replay/health_csv.hpp"
 #include "sim_host/replay/replay_session.hpp"
 #include "sim_host/replay/result_json.hpp"
 #include "sim_host/replay/result_text.hpp"
+#include "sim_host/report/replay_report.hpp"
 #include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/progress.hpp"
 
@@ -26,6 +28,7 @@ struct ReplayArguments {
   std::string json;
   std::string out;
   std::string health_out;
+  std::string report;
   bool accept_damaged = false;
   std::string progress = "auto";
 };
@@ -35,10 +38,11 @@ struct ReplayFiles {
   explicit ReplayFiles(const ReplayArguments& arguments)
       : json(open_if_asked(arguments.json)),
         frames(open_if_asked(arguments.out)),
-        answers(open_if_asked(arguments.health_out)) {}
+        answers(open_if_asked(arguments.health_out)),
+        report(open_if_asked(arguments.report)) {}
 
   void commit() const {
-    for (OutputFile* file : {json.get(), frames.get(), answers.get()}) {
+    for (OutputFile* file : {json.get(), frames.get(), answers.get(), report.get()}) {
       if (file != nullptr) file->commit();
     }
   }
@@ -46,6 +50,7 @@ struct ReplayFiles {
   std::unique_ptr<OutputFile> json;
   std::unique_ptr<OutputFile> frames;
   std::unique_ptr<OutputFile> answers;
+  std::unique_ptr<OutputFile> report;
 };
 
 void take_rule(const std::string& rule, MonitorConfiguration& configuration) {
@@ -57,25 +62,31 @@ void take_rule(const std::string& rule, MonitorConfiguration& configuration) {
 bool wants_colour() { return isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr; }
 
 bool uses_stdout(const ReplayArguments& arguments) {
-  return arguments.json == "-" || arguments.out == "-" || arguments.health_out == "-";
+  return arguments.json == "-" || arguments.out == "-" || arguments.health_out == "-" ||
+         arguments.report == "-";
 }
 
 ReplayResult replay_into(const ReplayFiles& files, RecordingReader& recording,
-                         const MachineDescription& machine, bool with_progress) {
+                         const MachineDescription& machine, ReplayReport* report, bool with_progress) {
   Progress progress("replay", recording.frame_count(), with_progress);
   std::optional<HealthCsv> rows;
   if (files.frames) rows.emplace(*files.frames, machine.configuration, recording.info().start_us);
-  const auto on_frame = [&](const Health& health) {
-    if (rows) rows->write(health);
+  const auto on_frame = [&](const SensorFrame& frame, const BoardMonitor& monitor) {
+    if (rows) rows->write(monitor.health());
+    if (report != nullptr) report->take(frame, monitor);
     progress.advance();
   };
   return replay(recording, machine, {.answers = files.answers.get(), .on_frame = on_frame});
 }
 
 void run(const ReplayArguments& arguments) {
-  check_distinct(
-      {{"the recording", arguments.recording}, {"--machine", arguments.machine}},
-      {{"--json", arguments.json}, {"--out", arguments.out}, {"--health-out", arguments.health_out}});
+  check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
+                 {{"--json", arguments.json},
+                  {"--out", arguments.out},
+                  {"--health-out", arguments.health_out},
+                  {"--report", arguments.report}});
+  if (const std::string why = why_no_page(k_report_page); !arguments.report.empty() && !why.empty())
+    throw UserError(why);
   RecordingReader recording(arguments.recording);
   std::vector<std::string> notices;
   MachineDescription machine = machine_for(recording, arguments.machine, notices);
@@ -87,8 +98,15 @@ void run(const ReplayArguments& arguments) {
   for (const std::string& notice : notices) warn(notice);
 
   const ReplayFiles files(arguments);
-  const ReplayResult result = replay_into(files, recording, machine, arguments.progress == "auto");
-  if (files.json) files.json->write(result_json(result));
+  std::optional<ReplayReport> report;
+  if (files.report) report.emplace(recording, machine);
+  const ReplayResult result =
+      replay_into(files, recording, machine, report ? &*report : nullptr, arguments.progress == "auto");
+  const std::string text = result_json(result);
+  if (files.json) files.json->write(text);
+  if (files.report)
+    files.report->write(
+        report->finish(result).html(text, command_line(), {arguments.recording, arguments.machine}));
   if (!uses_stdout(arguments)) fmt::print("{}", result_text(result, wants_colour()));
   const bool is_accepted = result.damage.empty() || arguments.accept_damaged;
   if (is_accepted) files.commit();
@@ -111,6 +129,7 @@ void add_replay(CLI::App& program) {
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
   command->add_option("--out", arguments->out, "write the answer to every frame as CSV");
   command->add_option("--health-out", arguments->health_out, "write the messages that the board would send");
+  add_report_option(*command, arguments->report);
   command->add_flag("--accept-damaged", arguments->accept_damaged,
                     "a recording that is cut or damaged is no error; write the outputs");
   add_progress_option(*command, arguments->progress);

@@ -79,6 +79,7 @@ class Diagnosis {
     rank();
     measure();
     watch_like_a_board();
+    for (const AxisOutcome& outcome : outcomes_) options_.on_axis(outcome.diagnosis);
     with_effects = machine_with_effects();
     return std::move(result_);
   }

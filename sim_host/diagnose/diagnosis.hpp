@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/diagnosis_result.hpp"
 #include "sim_host/diagnose/recording_signals.hpp"
 #include "sim_host/machine/machine_description.hpp"
@@ -15,6 +16,8 @@ struct DiagnosisOptions {
   std::vector<gap::Effect> excluded;  ///< taken out of the catalogue
   std::uint64_t seed = 1;
   std::function<void(std::string_view stage, double share)> on_progress = [](std::string_view, double) {};
+  /// Called for each axis at the end, with all that was found out about it.
+  std::function<void(const AxisDiagnosis&)> on_axis = [](const AxisDiagnosis&) {};
 };
 
 /// Where the model of the machine is wrong in a recording, which effect explains it, and how far the gap

@@ -14,6 +14,7 @@ struct PageParts {
 
 // One object per folder with a page.html.
 extern const PageParts k_kinematics_page;
+extern const PageParts k_report_page;
 extern const PageParts k_thesis_page;
 
 /// Empty where a page can be written; else a sentence that says why this program cannot, and what to do.

@@ -83,7 +83,7 @@ ReplayResult replay(RecordingReader& recording, const MachineDescription& machin
     if (!board.has_new_frame()) continue;
     check_contact(machine, recording, board.last_frame());
     collector.take(board.last_frame(), app->monitor());
-    if (outputs.on_frame) outputs.on_frame(app->monitor().health());
+    if (outputs.on_frame) outputs.on_frame(board.last_frame(), app->monitor());
   }
   ReplayResult result;
   result.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

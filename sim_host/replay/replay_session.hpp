@@ -10,8 +10,9 @@ namespace morepro::host {
 
 /// Where the answers of a replay go, apart from the result; null: nowhere.
 struct ReplayOutputs {
-  OutputFile* answers = nullptr;                       ///< the board's messages, byte by byte
-  std::function<void(const Health& health)> on_frame;  ///< after every frame
+  OutputFile* answers = nullptr;  ///< the board's messages, byte by byte
+  /// After every frame: the frame as the board gave it, the monitor after it.
+  std::function<void(const SensorFrame& frame, const BoardMonitor& monitor)> on_frame;
 };
 
 /// Feeds a recording through the simulated board into the loop and the monitor of the board images.

@@ -14,8 +14,8 @@ function axis(options) {
 /** The legend's values while nobody points anywhere; charts with a common time have that time's. */
 const LAST_VALUES = { hooks: { ready: (plot) => plot.setLegend({ idx: plot.data[0].length - 1 }) } };
 
-function optionsOf({ x, series, height, sync, plugins = [], scales = {} }, width) {
-  return {
+function optionsOf({ x, series, height, sync, plugins = [], scales = {}, adjust = (options) => options }, width) {
+  return adjust({
     width,
     height,
     plugins: sync ? plugins : [...plugins, LAST_VALUES],
@@ -33,15 +33,17 @@ function optionsOf({ x, series, height, sync, plugins = [], scales = {} }, width
         points: { show: Boolean(one.points), size: 6, fill: seriesColor(one.color ?? index) },
         spanGaps: false,
         value: (_, value) => shown(value, 6),
+        ...one.more,
       })),
     ],
-  };
+  });
 }
 
 /**
  * A chart that follows the width of its place and the theme.
- * `description`: {title, x, y, series: [{label, color?, dash?, points?}], height, sync?, plugins?}.
- * `data`: uPlot's columns, x first.
+ * `description`: {title, x, y, series: [{label, color?, dash?, points?, more?}], height, sync?, plugins?, adjust?};
+ * `more` and `adjust` are for uPlot's own options of a series and of the chart.
+ * `data`: uPlot's columns, x first, or a function that gives them for a width.
  */
 export function addChart(place, description, data) {
   const figure = document.createElement("figure");
@@ -52,15 +54,18 @@ export function addChart(place, description, data) {
   const body = document.createElement("div");
   figure.append(heading, body);
   place.append(figure);
-  const chart = { plot: null };
+  const columns = typeof data === "function" ? data : () => data;
+  const chart = { plot: null, figure };
   const width = () => Math.max(240, Math.floor(body.clientWidth));
   const draw = () => {
     chart.plot?.destroy();
-    chart.plot = new uPlot(optionsOf(description, width()), data, body);
+    chart.plot = new uPlot(optionsOf(description, width()), columns(width()), body);
   };
   draw();
   new ResizeObserver(() => {
-    if (chart.plot.width !== width()) chart.plot.setSize({ width: width(), height: description.height });
+    if (chart.plot.width === width()) return;
+    if (data !== columns) chart.plot.setSize({ width: width(), height: description.height });
+    else draw();
   }).observe(body);
   charts.push(draw);
   return chart;

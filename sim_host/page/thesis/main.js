@@ -3,7 +3,7 @@ import "./style.css";
 import { addChart } from "../shared/chart.js";
 import { pageData } from "../shared/data.js";
 import { addMachinePanel } from "../kinematics/panel.js";
-import { rangeText, tableOf } from "./tables.js";
+import { rangeText, tableOf } from "../shared/table.js";
 
 const HEIGHT = 230;
 const { figures, bank, animation } = pageData();

@@ -1,4 +1,5 @@
-import { shown } from "../shared/number.js";
+import "./table.css";
+import { shown } from "./number.js";
 
 /** "0.22 .. 0.77", "1.45" or a dash. */
 export function rangeText(range) {

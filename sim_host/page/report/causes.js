@@ -1,0 +1,39 @@
+import { shown } from "../shared/number.js";
+import { barOf, element, percent, spoken } from "./element.js";
+
+const NONE = {
+  no_gap: "No cause is needed: the datasheet's model explains the recording to its noise.",
+  parameter_error: "No effect is missing: other values of the parameters explain the recording.",
+  unexplained: "No effect of the catalogue explains the structure that is left.",
+  insufficient_excitation: "Nothing moves enough to tell causes apart.",
+};
+const ALONE = "Nothing of the catalogue looks like it in this recording.";
+const SEPARATE = "What separates it from look-alikes";
+
+function causeOf(cause) {
+  const aliases = cause.alias_set.filter((name) => name !== cause.effect);
+  const sure = `confidence ${percent(cause.confidence, 0)}, evidence ${shown(cause.evidence, 3)}`;
+  const size = `${shown(cause.magnitude)} ± ${shown(cause.standard_error, 2)} ${cause.unit}`;
+  const made = element("li", { className: "cause" },
+    element("div", { className: "line" },
+      element("b", { text: spoken(cause.effect) }), element("span", { text: size })),
+    element("div", { className: "line" }, barOf(cause.confidence), element("span", { text: sure })),
+    element("p", { text: aliases.length > 0 ? `Could also be: ${aliases.map(spoken).join(", ")}.` : ALONE }),
+    cause.separate_by ? element("p", { className: "muted", text: `${SEPARATE}: ${cause.separate_by}` }) : null);
+  made.dataset.effect = cause.effect;
+  return made;
+}
+
+/** Ranked causes with how sure they are. */
+export function addCauses(place, { which, verdict, threshold, unexplained }) {
+  if (which.length === 0) place.append(element("p", { text: NONE[verdict] ?? "" }));
+  else place.append(element("ol", { className: "causes" }, ...which.map(causeOf)));
+  if (verdict === "unexplained")
+    place.append(element("p", {
+      text: `${percent(unexplained.share)} of what the datasheet's model leaves has no name.`,
+    }));
+  const { evidence, bootstrap_runs: runs, temperature } = threshold;
+  const chance = `Chance reaches an evidence of ${shown(evidence, 3)} in this recording (${runs} runs); evidence ` +
+    `counts 1/${shown(temperature, 3)} in odds.`;
+  place.append(element("p", { className: "muted", text: chance }));
+}

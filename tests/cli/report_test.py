@@ -1,0 +1,75 @@
+"""Reports as files: there whole or not at all, and in nobody's way."""
+
+import json
+import re
+import unittest
+
+from program import ProgramTest
+
+NO_PAGES = "built without its report pages"
+
+
+class Report(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.must_do("simulate", "--profile", "rich", "--duration", "2", "--out", "run.csv", "--progress", "off")
+
+    def data_of(self, command, *options):
+        """The page's data; skips where the program has no pages, after looking at what it says."""
+        done = self.run_program(command, "run.csv", "--report", "page.html", "--progress", "off", *options)
+        if NO_PAGES in done.stderr:
+            self.assertEqual((done.returncode, self.files()), (1, ["run.csv"]))
+            self.skipTest("the program has no pages")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.folder / "page.html").read_text()
+        self.assertNotRegex(page, r"(src|href)=[\"']?http")
+        return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+
+    def test_the_page_holds_what_json_writes(self):
+        for command in ("replay", "identify"):
+            with self.subTest(command):
+                data = self.data_of(command, "--json", "result.json")
+                self.assertEqual(data["result"], json.loads((self.folder / "result.json").read_text()))
+                self.assertEqual(data["command"], command)
+
+    def test_the_result_is_the_same_with_and_without_a_report(self):
+        self.data_of("replay", "--json", "with.json", "--health-out", "with.bin")
+        self.must_do("replay", "run.csv", "--json", "without.json", "--health-out", "without.bin")
+        results = [json.loads((self.folder / name).read_text()) for name in ("with.json", "without.json")]
+        for result in results:
+            del result["timing"]
+        self.assertEqual(results[0], results[1])
+        self.assertEqual((self.folder / "with.bin").read_bytes(), (self.folder / "without.bin").read_bytes())
+
+    def test_it_names_the_command_as_a_shell_takes_it_and_the_files(self):
+        (self.folder / "run.csv").rename(self.folder / "it's a run.csv")
+        done = self.run_program("replay", "it's a run.csv", "--report", "page.html", "--progress", "off")
+        if NO_PAGES in done.stderr:
+            self.skipTest("the program has no pages")
+        page = (self.folder / "page.html").read_text()
+        self.assertIn(r"morepro replay 'it'\\''s a run.csv' --report page.html --progress off", page)
+        self.assertRegex(page, r'"crc32":"[0-9a-f]{8}"')
+
+    def test_half_a_machine_and_a_hole_of_an_hour(self):
+        rows = "".join(f"{0.001 * k + (3600 if k > 1500 else 0):.3f},{k % 7},{1e-5 * k}\n" for k in range(3000))
+        self.write("run.csv", f"# rate_hz: 1000\ntime_s,feed_force_n,feed_position_m\n{rows}")
+        data = self.data_of("replay", "--machine", "reference")
+        titles = {chart["title"] for chart in data["charts"] if chart["section"] == "model"}
+        self.assertEqual(titles, {"Feed position"})
+        self.assertIsNone(data["phases"]["runs"])
+        self.assertEqual(data["missing"]["rows"], 3600000)
+        self.assertEqual([value for _, value in data["missing"]["runs"]], [0, None, 1, 0])
+        self.assertLess((self.folder / "page.html").stat().st_size, 3e6)
+
+    def test_nothing_is_left_of_a_failed_job(self):
+        self.write("bad.csv", "time_s,feed_force_n\n0,1\n0.001,text\n")
+        for command in ("replay", "diagnose", "identify"):
+            with self.subTest(command):
+                self.must_refuse(1, command, "bad.csv", "--report", "page.html")
+                self.must_refuse(2, command, "run.csv", "--report", "run.csv")
+                self.must_refuse(2, command, "run.csv", "--report", "a", "--json", "a")
+        self.assertEqual(self.files(), ["bad.csv", "run.csv"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,199 @@
+// The page of a recording: what diagnose, replay and identify have found, beside the signals.
+import assert from "node:assert/strict";
+import { readFileSync, statSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
+import { columnsOf, Folder } from "./program.mjs";
+
+const MOST_BYTES = 3e6;
+const COMMON = ["verdict", "timeline", "model", "residuals"];
+const SECTIONS = {
+  diagnose: [...COMMON, "gap", "parameters", "signals", "reproduce"],
+  replay: [...COMMON, "gap", "hypotheses", "parameters", "wear", "budget", "signals", "reproduce"],
+  identify: [...COMMON, "gap", "parameters", "signals", "reproduce"],
+};
+const LOOKS = {
+  diagnose: { size: TABLET, colorScheme: "light" },
+  replay: { size: TABLET, colorScheme: "dark" },
+  identify: { size: DESKTOP, colorScheme: "dark" },
+};
+const DRAWN = {
+  diagnose: ["#timeline", "#model", "#residuals", "#gap"],
+  replay: ["#timeline", "#model", "#residuals", "#hypotheses", "#wear"],
+  identify: ["#timeline", "#model", "#residuals", "#gap"],
+};
+const COMMANDS = Object.keys(SECTIONS);
+const SECONDS = 3;
+const DROPOUT = [1.2, 1.5];
+
+let browser;
+let folder;
+/** A machine with an effect, a datasheet that is wrong, and rows that are missing. */
+before(async () => {
+  folder = new Folder();
+  folder.run("simulate", "--profile", "rich", "--duration", String(SECONDS), "--effect", "feed_coulomb_friction=6",
+    "--datasheet-error", "0.1", "--machine-out", "datasheet.toml", "--out", "whole.csv", "--progress", "off");
+  const lines = folder.read("whole.csv").split("\n");
+  const header = lines.findIndex((line) => line.startsWith("time_s"));
+  const isKept = (line, i) => i <= header || line === "" ||
+    !(Number.parseFloat(line) >= DROPOUT[0] && Number.parseFloat(line) < DROPOUT[1]);
+  folder.write("run.csv", lines.filter(isKept).join("\n"));
+  const run = (command, machine, ...more) => folder.run(command, "run.csv", "--machine", machine, "--report",
+    `${command}.html`, "--json", `${command}.json`, "--progress", "off", ...more);
+  run("diagnose", "datasheet.toml", "--bootstrap", "20");
+  run("replay", "reference");
+  run("identify", "datasheet.toml");
+  browser = await startBrowser();
+});
+after(async () => {
+  await browser?.close();
+  folder?.remove();
+});
+
+const open = (command, options) => openPage(browser, folder.file(`${command}.html`), options);
+const json = (command) => JSON.parse(folder.read(`${command}.json`));
+const shownTime = (page) =>
+  page.$eval("#shown", ({ dataset }) => [Number(dataset.from), Number(dataset.to)]);
+
+/** All charts, wherever they are on the page. */
+async function waitForCharts(page) {
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll(".slot")].every((slot) => slot.querySelector("canvas")));
+}
+
+/** Pixels that are neither background nor grid: far from grey. */
+const inkOf = (page, selector) =>
+  page.$$eval(`${selector} canvas`, (canvases) => canvases.map((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    let ink = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [red, green, blue, alpha] = [data[i], data[i + 1], data[i + 2], data[i + 3]];
+      if (alpha > 150 && Math.max(red, green, blue) - Math.min(red, green, blue) > 60) ++ink;
+    }
+    return ink;
+  }));
+
+/** The verdict as the JSON has it. */
+const VERDICTS = {
+  diagnose: ({ verdict }) => verdict,
+  replay: ({ health }) => health.state,
+  identify: ({ parameters }) =>
+    (parameters.every(({ identifiable }) => identifiable) ? "identified" : "partly_identified"),
+};
+
+for (const command of COMMANDS) {
+  test(`${command}: every section that there is data for, nothing blank or too wide, no network`, async () => {
+    const { page, faults } = await open(command, LOOKS[command]);
+    await waitForCharts(page);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(wide <= 0, `${wide} px beyond ${LOOKS[command].size.width}`);
+    assert.deepEqual(await page.$$eval("section", (all) => all.map(({ id }) => id)), SECTIONS[command]);
+    for (const selector of DRAWN[command])
+      for (const [i, ink] of (await inkOf(page, selector)).entries())
+        assert.ok(ink > 200, `chart ${i} of ${selector} has ${ink} pixels of ink`);
+    assert.ok(statSync(folder.file(`${command}.html`)).size <= MOST_BYTES);
+    assert.deepEqual(faults, []);
+  });
+
+  test(`${command}: the verdict is that of the JSON, and the page holds the JSON`, async () => {
+    const { page } = await open(command);
+    const result = json(command);
+    assert.equal(await page.$eval(".badge", ({ dataset }) => dataset.verdict), VERDICTS[command](result));
+    const held = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent).result);
+    assert.deepEqual(held, result);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#download")]);
+    assert.deepEqual(JSON.parse(readFileSync(await download.path(), "utf8")), result);
+  });
+}
+
+test("dragging over one chart changes the time of all, a double click restores it", async () => {
+  const { page, faults } = await open("diagnose");
+  await page.waitForSelector("#model .slot:last-child canvas");
+  const over = await page.$("#model .u-over");
+  await over.scrollIntoViewIfNeeded();
+  const { x, y, width, height } = await over.boundingBox();
+  const drag = async (from, to) => {
+    await page.mouse.move(x + from * width, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + to * width, y + height / 2, { steps: 4 });
+    await page.mouse.up();
+  };
+  await drag(0.25, 0.5);
+  // A pixel of the chart is this long.
+  const pixel = (2 * SECONDS) / width;
+  const [from, to] = await shownTime(page);
+  assert.ok(Math.abs(from - 0.25 * SECONDS) < pixel && Math.abs(to - 0.5 * SECONDS) < pixel, `${from} .. ${to}`);
+  const hover = async (selector) => {
+    const place = await page.$(`${selector} .u-over`);
+    await place.scrollIntoViewIfNeeded();
+    await place.hover({ position: { x: width / 2, y: 20 } });
+  };
+  await hover("#model");
+  // The cursor stands at one time in all charts that are on the page.
+  const times = await page.$$eval("#timeline .u-legend, #model .u-legend", (legends) =>
+    legends.map((legend) => Number.parseFloat(legend.querySelector(".u-value").textContent)));
+  for (const time of times) assert.ok(Math.abs(time - (from + to) / 2) < 4 * pixel, `${times}`);
+  assert.ok(times.length >= 4);
+  await over.dblclick();
+  assert.deepEqual(await shownTime(page), [0, SECONDS]);
+  assert.deepEqual(faults, []);
+});
+
+test("keys and buttons move the time; nothing zooms beyond the recording", async () => {
+  const { page } = await open("replay");
+  await page.waitForSelector("#timeline .chart");
+  await page.focus("#timeline .chart");
+  await page.keyboard.press("+");
+  assert.deepEqual(await shownTime(page), [0.25 * SECONDS, 0.75 * SECONDS]);
+  await page.keyboard.press("ArrowLeft");
+  assert.deepEqual(await shownTime(page), [0.125 * SECONDS, 0.625 * SECONDS]);
+  for (let i = 0; i < 4; ++i) await page.keyboard.press("ArrowLeft");
+  assert.equal((await shownTime(page))[0], 0);
+  await page.click("#view button[aria-label='Zoom out']");
+  await page.click("#view button[aria-label='Zoom out']");
+  assert.deepEqual(await shownTime(page), [0, SECONDS]);
+});
+
+test("samples that the page shows are those of the recording, and missing rows are a hole", async () => {
+  const { page } = await open("replay");
+  const columns = columnsOf(folder.read("run.csv").split("\n").filter((line) => !line.startsWith("#")).join("\n"));
+  const series = await page.evaluate(() =>
+    JSON.parse(document.getElementById("data").textContent).series["recording.armature_voltage_v"]);
+  const steps = new Uint16Array(Uint8Array.from(atob(series.data), (c) => c.charCodeAt(0)).buffer);
+  const step = (series.high - series.low) / 65534;
+  const inBucket = (i) => columns.armature_voltage_v.filter((_, row) =>
+    Math.floor(Math.round(columns.time_s[row] * 1e4) / Math.round(series.bucket_s * 1e4)) === i);
+  for (const i of [0, 7, Math.floor(0.9 / series.bucket_s), Math.floor(2.7 / series.bucket_s)]) {
+    const values = inBucket(i);
+    // One step of the 16 bits, and the float that the frame holds.
+    assert.ok(Math.abs(series.low + steps[2 * i] * step - Math.min(...values)) < 1.01 * step + 1e-5, `bucket ${i}`);
+    assert.ok(Math.abs(series.low + steps[2 * i + 1] * step - Math.max(...values)) < 1.01 * step + 1e-5, `bucket ${i}`);
+  }
+  const hole = Math.floor((DROPOUT[0] + DROPOUT[1]) / 2 / series.bucket_s);
+  assert.deepEqual([steps[2 * hole], steps[2 * hole + 1]], [65535, 65535]);
+});
+
+test("where, which and how far are those of the JSON", async () => {
+  const { page } = await open("diagnose");
+  const { where, which, verdict } = json("diagnose");
+  assert.equal(verdict, "effect");
+  const ratios = await page.$$eval(".heat", (cells) => cells.map(({ dataset }) => Number(dataset.ratio)));
+  const expected = where.filter(({ evaluated }) => evaluated)
+    .flatMap(({ residual_ratio: refit, residual_ratio_after: after, cells }) =>
+      [refit, after, ...cells.map((cell) => cell.residual_ratio)]);
+  const sorted = (values) => [...values].sort((a, b) => a - b);
+  assert.deepEqual(sorted(ratios), sorted(expected));
+  assert.deepEqual(await page.$$eval(".cause", (all) => all.map(({ dataset }) => dataset.effect)),
+    which.map(({ effect }) => effect));
+  const { from, to } = where[0].cells.findLast(({ by }) => by === "time");
+  await page.click(".map:has(caption:text-is('Time, s')) tr:first-of-type .heat:last-of-type");
+  const shown = await shownTime(page);
+  assert.ok(Math.abs(shown[0] - from) < 1e-9 && Math.abs(shown[1] - Math.min(to, SECONDS)) < 1e-9, `${shown}`);
+});
+
+test("the page names the command and the recording's bytes", async () => {
+  const { page } = await open("identify");
+  const text = await page.$eval("#reproduce", (section) => section.textContent);
+  assert.match(text, /morepro identify run\.csv --machine datasheet\.toml --report identify\.html/);
+  assert.match(text, new RegExp(`run\\.csv: ${statSync(folder.file("run.csv")).size} bytes, CRC-32 [0-9a-f]{8}`));
+});
