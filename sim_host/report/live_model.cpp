@@ -17,7 +17,7 @@ using Spindle = gap::SpindleObserver<double, kNoTerms, kMostApplied, kDelaySteps
 using Feed = gap::FeedObserver<double, kNoTerms, kMostApplied, kDelaySteps>;
 
 gap::GapNoise<double> noise_of(const MonitorConfiguration& c) {
-  gap::GapNoise<double> noise = least_noise(c.sensors);
+  gap::GapNoise<double> noise = usual_noise(c.sensors);
   noise.speed_step = c.gap.speed_process_noise_rad_s;
   noise.current_step = c.gap.current_process_noise_a;
   noise.feed_step = c.gap.feed_process_noise_m_s;

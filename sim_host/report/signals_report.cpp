@@ -46,8 +46,8 @@ void SignalsReport::take(const RecordingSignals& signals, const MachineDescripti
     if (!has_axis(axis, signals, datasheet)) continue;
     GapModel model{.machine = identified.configuration.machine,
                    .point = reference_point_for(datasheet, signals),
-                   .noise = least_noise(datasheet.configuration.sensors)};
-    fit_noise(axis, signals, least_noise(datasheet.configuration.sensors), model);
+                   .noise = usual_noise(datasheet.configuration.sensors)};
+    fit_noise(axis, signals, usual_noise(datasheet.configuration.sensors), kUsualNoiseShare, model);
     GapModel before = model;
     before.machine = datasheet.configuration.machine;
     const std::array models{NamedModel{"datasheet", "datasheet", before},
