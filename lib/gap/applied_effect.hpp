@@ -23,27 +23,42 @@ inline bool has_size(const AppliedEffect& effect) {
   return is_any;
 }
 
+/// When an effect sets in. Memories run from the start, so that they are right at the onset; what grows with
+/// the cutting time grows from the onset on.
+template <class Real>
+struct Onset {
+  Real time_s = 0;
+  Real cutting_before_s = 0;
+
+  bool has_come(const EffectSignals<Real>& signals) {
+    const bool is_on = signals.time_s >= time_s;
+    if (!is_on) cutting_before_s = signals.cutting_time_s;
+    return is_on;
+  }
+  [[nodiscard]] EffectSignals<Real> since(const EffectSignals<Real>& signals) const {
+    EffectSignals<Real> since = signals;
+    since.cutting_time_s -= cutting_before_s;
+    return since;
+  }
+};
+
 /// The parts of one applied effect, stepped together.
 template <class Real, std::size_t kDelaySteps>
 class AppliedTerm {
  public:
   AppliedTerm() = default;
   AppliedTerm(const AppliedEffect& effect, const EffectScales<Real>& scales, double step_s)
-      : onset_s_(static_cast<Real>(effect.onset_s)), parts_(effect.form.parts) {
+      : onset_{static_cast<Real>(effect.onset_s)}, parts_(effect.form.parts) {
     for (std::size_t i = 0; i < parts_; ++i) {
       term_[i] = EffectTerm<Real, kDelaySteps>(effect.form, static_cast<int>(i), scales, step_s);
       coefficient_[i] = static_cast<Real>(effect.coefficient[i]);
     }
   }
 
-  /// Adds what the effect contributes during one step. Memories run from the start, so that they are right at
-  /// the onset; what grows with the cutting time grows from the onset on.
+  /// Adds what the effect contributes during one step.
   void step(const EffectSignals<Real>& signals, Contribution<Real>& sum) {
-    const bool is_on = signals.time_s >= onset_s_;
-    const Real share = is_on ? Real(1) : Real(0);
-    if (!is_on) cutting_before_s_ = signals.cutting_time_s;
-    EffectSignals<Real> since = signals;
-    since.cutting_time_s -= cutting_before_s_;
+    const Real share = onset_.has_come(signals) ? Real(1) : Real(0);
+    const EffectSignals<Real> since = onset_.since(signals);
     for (std::size_t i = 0; i < parts_; ++i) {
       const Contribution<Real> one = term_[i].step(since);
       const Real gain = share * coefficient_[i];
@@ -59,8 +74,7 @@ class AppliedTerm {
  private:
   std::array<EffectTerm<Real, kDelaySteps>, kMostParts> term_{};
   std::array<Real, kMostParts> coefficient_{};
-  Real onset_s_ = 0;
-  Real cutting_before_s_ = 0;
+  Onset<Real> onset_;
   std::size_t parts_ = 0;
 };
 

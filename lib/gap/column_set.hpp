@@ -16,14 +16,23 @@ constexpr bool is_in_sensor(Effect effect) {
 /// Effects that are part of the model already, and the terms that might be missing from it.
 template <class Real, std::size_t kMostTerms, std::size_t kMostApplied, std::size_t kDelaySteps>
 class ColumnSet {
+  static constexpr bool kHasOnsets = kMostApplied > 0;
+
  public:
   ColumnSet(const EffectScales<Real>& scales, double step_s) : scales_(scales), step_s_(step_s) {}
 
-  /// All parts of a form; false where there is no room.
+  /// All parts of a form; false where there is no room. A board looks for what is there from the start.
   bool add(const EffectForm& form) {
     if (terms_ + form.parts > kMostTerms) return false;
     for (int part = 0; part < form.parts; ++part)
       term_[terms_++] = EffectTerm<Real, kDelaySteps>(form, part, scales_, step_s_);
+    return true;
+  }
+  /// The same for one that sets in at `onset_s`.
+  bool add(const EffectForm& form, double onset_s) requires kHasOnsets {
+    const std::size_t first = terms_;
+    if (!add(form)) return false;
+    for (std::size_t j = first; j < terms_; ++j) onset_[j].time_s = static_cast<Real>(onset_s);
     return true;
   }
   bool apply(const AppliedEffect& effect) {
@@ -65,14 +74,24 @@ class ColumnSet {
   void for_each(const EffectSignals<Real>& signals, bool in_sensor, Visit visit) {
     for (std::size_t j = 0; j < terms_; ++j) {
       const bool acts = is_in_sensor(term_[j].form().effect) == in_sensor;
-      visit(j, acts ? term_[j].step(signals) : Contribution<Real>{});
+      if constexpr (kHasOnsets)
+        visit(j, acts ? late_step(j, signals) : Contribution<Real>{});
+      else
+        visit(j, acts ? term_[j].step(signals) : Contribution<Real>{});
     }
   }
 
  private:
+  Contribution<Real> late_step(std::size_t j, const EffectSignals<Real>& signals) {
+    const bool is_on = onset_[j].has_come(signals);
+    const Contribution<Real> one = term_[j].step(onset_[j].since(signals));
+    return is_on ? one : Contribution<Real>{};
+  }
+
   EffectScales<Real> scales_;
   double step_s_;
   std::array<EffectTerm<Real, kDelaySteps>, kMostTerms> term_{};
+  std::array<Onset<Real>, kHasOnsets ? kMostTerms : 0> onset_{};
   std::array<AppliedTerm<Real, kDelaySteps>, kMostApplied> applied_term_{};
   std::array<bool, kMostApplied> applied_is_sensor_{};
   std::array<DryFriction<Real>, kMostApplied> friction_{};

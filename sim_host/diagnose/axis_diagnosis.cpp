@@ -27,7 +27,7 @@ constexpr double kLeastShare = 0.01;  // of the best effect's evidence
 /// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
 /// delay has no such beginning; it starts with the size that was found.
 gap::AppliedEffect beginning_of(const Candidate& candidate) {
-  gap::AppliedEffect effect{.form = candidate.form, .coefficient = {}};
+  gap::AppliedEffect effect{.form = candidate.form, .coefficient = {}, .onset_s = candidate.onset_s};
   if (gap::size_is_shape(effect.form.effect) && effect.form.parts == 1) effect.coefficient[0] = 1.0;
   return effect;
 }
@@ -58,9 +58,11 @@ constexpr Plainer kPlainer[] = {
     {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, kAlways},
 };
 
-/// Deviance that an effect gains by chance: its coefficients', and one for the shape that was looked for.
-double freedom_cost(const AxisFit& fit, const gap::EffectForm& form) {
-  return (form.parts + 1.0) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
+/// Deviance that an effect gains by chance: its coefficients', one for the shape that was looked for, and one
+/// for the onset.
+double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect) {
+  const double onset = effect.onset_s > 0.0 ? 1.0 : 0.0;
+  return (effect.form.parts + 1.0 + onset) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
 }
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
@@ -103,6 +105,7 @@ class Search {
     on_progress_(static_cast<double>(diagnosis_.found.size()) / static_cast<double>(kMostEffects));
     collect_rest();
     auto ranked = rank_candidates(fit_, diagnosis_.rest, diagnosis_.others);
+    let_set_in(fit_, diagnosis_.rest, ranked);
     if (is_bent()) prefer_by_datasheet(ranked);
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
@@ -135,7 +138,8 @@ class Search {
       rival = refined(fit_, rival);
       AxisFit trial = fitted_with(rival);
       if (has_blurred_shape(rival.form.effect)) sharpen(trial);
-      rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, rival.form);
+      if (rival.onset_s > 0.0) place_onset(trial);
+      rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, trial.model().effects.back());
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
       rival.form = trial.model().effects.back().form;
       if (rival.evidence > best) kept = rival.evidence / promised;
@@ -176,7 +180,9 @@ class Search {
   void prefer_by_datasheet(std::vector<Candidate>& ranked) const {
     AxisFit fit = at_datasheet();
     fit.match_noise();
-    auto others = rank_candidates(fit, fit.collect_with(diagnosis_.others), diagnosis_.others);
+    const GapStatistics statistics = fit.collect_with(diagnosis_.others);
+    auto others = rank_candidates(fit, statistics, diagnosis_.others);
+    let_set_in(fit, statistics, others);
     others.resize(std::min(others.size(), kMostRivals - 1));
     const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
     for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred) {
@@ -216,6 +222,23 @@ class Search {
       }
     }
     if (has_changed) trial.settle(1);
+  }
+
+  /// When the newest effect sets in, to a hundredth of a block.
+  static void place_onset(AxisFit& trial) {
+    double& onset_s = trial.model().effects.back().onset_s;
+    double best = trial.unlikeliness_as_it_is();
+    for (double step_s = 0.5 * kBlockS; step_s > 0.01 * kBlockS; step_s *= 0.5)
+      for (const double sign : {-1.0, 1.0}) {
+        const double before_s = onset_s;
+        onset_s = std::max(before_s + sign * step_s, 0.0);
+        const double other = trial.unlikeliness_as_it_is();
+        if (other < best)
+          best = other;
+        else
+          onset_s = before_s;
+      }
+    trial.settle(1);
   }
 
   using Trial = std::pair<gap::Effect, AxisFit>;
@@ -319,7 +342,7 @@ double AxisDiagnosis::needed(const Finding& finding, double usual) const {
 
 double AxisDiagnosis::cost() const {
   double cost = fit.unlikeliness();
-  for (const Finding& finding : found) cost += freedom_cost(fit, finding.effect.form);
+  for (const Finding& finding : found) cost += freedom_cost(fit, finding.effect);
   return cost;
 }
 

@@ -84,8 +84,8 @@ Eigen::VectorXd AxisFit::target(Eigen::Index width) const {
   return target;
 }
 
-GapStatistics AxisFit::collect_with(std::span<const gap::EffectForm> forms) const {
-  return collect(axis_, *signals_, model_, forms, whitening_, kBlockS);
+GapStatistics AxisFit::collect_with(const Disturbances& candidates) const {
+  return collect(axis_, *signals_, model_, candidates, whitening_, kBlockS);
 }
 
 void AxisFit::take_parameters(const Eigen::VectorXd& step) {
@@ -139,12 +139,6 @@ void AxisFit::take(const Eigen::VectorXd& step) {
   take_sizes(step.tail(step.size() - parameters));
 }
 
-std::vector<gap::EffectForm> AxisFit::forms_in_model() const {
-  std::vector<gap::EffectForm> forms;
-  for (const gap::AppliedEffect& effect : model_.effects) forms.push_back(effect.form);
-  return forms;
-}
-
 double AxisFit::relative_error_of(gap::Effect effect) const {
   auto column = static_cast<Eigen::Index>(parameter_count(axis_));
   for (const gap::AppliedEffect& one : model_.effects) {
@@ -166,7 +160,13 @@ double AxisFit::relative_error_of(gap::Effect effect) const {
 }
 
 AxisFit::Trial AxisFit::tried() const {
-  Trial trial{.statistics = collect_with(forms_in_model()), .moments = {}};
+  std::vector<gap::EffectForm> forms;
+  std::vector<double> onset_s;
+  for (const gap::AppliedEffect& effect : model_.effects) {
+    forms.push_back(effect.form);
+    onset_s.push_back(effect.onset_s);
+  }
+  Trial trial{.statistics = collect_with({forms, onset_s}), .moments = {}};
   trial.moments = trial.statistics.total();
   const Eigen::Index width = trial.moments.cols();
   if (width == 0) return trial;

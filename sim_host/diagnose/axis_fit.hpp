@@ -30,11 +30,11 @@ class AxisFit {
 
   /// Twice the negative logarithm of the likelihood of the fitted model.
   [[nodiscard]] double unlikeliness() const { return unlikeliness_; }
+  /// The same of the model as it stands, nothing fitted.
+  [[nodiscard]] double unlikeliness_as_it_is() const { return unlikeliness_of(collect_with({})); }
 
-  /// Second moments with these forms as candidates, at the fitted model.
-  [[nodiscard]] GapStatistics collect_with(std::span<const gap::EffectForm> forms) const;
-  /// Forms of the effects that the model has.
-  [[nodiscard]] std::vector<gap::EffectForm> forms_in_model() const;
+  /// Second moments with these disturbances as candidates, at the fitted model.
+  [[nodiscard]] GapStatistics collect_with(const Disturbances& candidates) const;
   /// Columns of the parameters.
   [[nodiscard]] std::vector<Eigen::Index> parameter_columns() const;
   /// Precision of the prior on the parameter columns and where it draws them, for `width` columns of moments.

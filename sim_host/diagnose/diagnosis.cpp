@@ -403,8 +403,10 @@ class Diagnosis {
         machine.configuration.machine.spindle = fitted.spindle;
       else
         machine.configuration.machine.feed = fitted.feed;
-      for (const auto& effect : outcome.diagnosis.fit.model().effects)
+      for (gap::AppliedEffect effect : outcome.diagnosis.fit.model().effects) {
+        effect.onset_s = 0.0;  // of this recording; from now on the machine has it
         machine.effects.push_back(gap::restated(effect, recording_scales(), file_scales()));
+      }
     }
     return machine;
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "sim_host/diagnose/onset.hpp"
+
 namespace morepro::host {
 namespace {
 
@@ -91,6 +93,23 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
   return ranked;
 }
 
+void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vector<Candidate>& ranked) {
+  const double rows = statistics.total_rows();
+  for (Candidate& candidate : ranked) {
+    const LateStart start = best_start(axis, statistics, candidate.column, candidate.form.parts);
+    if (!is_surely_late(start, rows)) continue;
+    if (gap::acts_one_way(candidate.form.effect) && !(start.coefficient(0) > 0.0)) continue;
+    const double evidence =
+        evidence_of(start.rss_without, start.rss_without - start.rss, rows, candidate.form.parts + 2.0);
+    if (!(evidence > candidate.evidence)) continue;
+    candidate.evidence = evidence;
+    candidate.onset_s = start.onset_s;
+    candidate.coefficient.assign(start.coefficient.begin(), start.coefficient.end());
+  }
+  std::sort(ranked.begin(), ranked.end(),
+            [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+}
+
 Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   Candidate finest = candidate;
   if (!has_shape(candidate.form)) return finest;
@@ -100,7 +119,8 @@ Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   if (is_pure_shape) centre *= std::clamp(candidate.coefficient[0], 0.1, 4.0);
   for (const double spread : {2.0, 1.2}) {
     const auto forms = around(candidate.form, centre, spread);
-    take_best(axis, axis.collect_with(forms), forms, finest);
+    const std::vector<double> onset_s(forms.size(), candidate.onset_s);
+    take_best(axis, axis.collect_with({forms, onset_s}), forms, finest);
     centre = static_cast<double>(finest.form.shape);
   }
   return finest;

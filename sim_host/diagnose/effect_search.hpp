@@ -13,11 +13,15 @@ struct Candidate {
   Eigen::Index column = 0;  ///< its first in the moments
   double evidence = 0.0;    ///< n ln(RSS without / RSS with) - dof ln n
   std::vector<double> coefficient;
+  double onset_s = 0.0;  ///< sets in there
 };
 
 /// Every effect once, by its best form, most evidence first.
 std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics& statistics,
                                        const std::vector<gap::EffectForm>& forms);
+
+/// Lets every candidate set in later where that takes more than chance makes it; most evidence first again.
+void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vector<Candidate>& ranked);
 
 /// The same with the shape between the grid's that takes most. The effect is not in the model yet.
 Candidate refined(const AxisFit& axis, const Candidate& candidate);

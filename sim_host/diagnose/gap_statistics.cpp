@@ -107,14 +107,14 @@ double GapStatistics::total_rows() const {
 }
 
 GapStatistics collect(Axis axis, const RecordingSignals& signals, const GapModel& model,
-                      std::span<const gap::EffectForm> forms, const Whitening& whitening, double block_s) {
+                      const Disturbances& disturbances, const Whitening& whitening, double block_s) {
   GapStatistics statistics;
   statistics.may_remember = !signals.is_thinned;
   std::size_t terms = 0;
-  for (const gap::EffectForm& form : forms) terms += form.parts;
+  for (const gap::EffectForm& form : disturbances.forms) terms += form.parts;
   const auto width = static_cast<Eigen::Index>(parameter_count(axis) + terms + 1);
   Collector collector(width, signals, whitening, block_s, statistics);
-  run_observer(axis, signals, model, forms, 0, signals.rows,
+  run_observer(axis, signals, model, disturbances, 0, signals.rows,
                [&collector](const Innovation& innovation) { collector.take(innovation); });
   collector.flush();
   return statistics;

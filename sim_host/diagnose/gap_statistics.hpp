@@ -31,7 +31,7 @@ struct GapStatistics {
 
 /// One pass over the whole recording. `block_s` > 0.
 GapStatistics collect(Axis axis, const RecordingSignals& signals, const GapModel& model,
-                      std::span<const gap::EffectForm> forms, const Whitening& whitening, double block_s);
+                      const Disturbances& disturbances, const Whitening& whitening, double block_s);
 
 /// Twice the negative logarithm of the likelihood of a pass, with the whitening that fits it best: what
 /// models of different noise are compared by. Smaller is better.

@@ -25,9 +25,11 @@ struct SpindleMotion {
 
 template <class Observer>
 std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& model,
-                               std::span<const gap::EffectForm> forms) {
+                               const Disturbances& disturbances) {
   auto observer = std::make_unique<Observer>(model.machine, model.point, 1.0 / signals.rate_hz, model.noise);
-  for (const gap::EffectForm& form : forms) observer->terms().add(form);
+  for (std::size_t i = 0; i < disturbances.forms.size(); ++i)
+    observer->terms().add(disturbances.forms[i],
+                          disturbances.onset_s.empty() ? 0.0 : disturbances.onset_s[i]);
   for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
   for (const gap::AppliedEffect& effect : model.effects) observer->terms().apply(effect);
   return observer;
@@ -42,10 +44,9 @@ void report(const Row& row, std::size_t columns, Innovation& innovation, const O
   on_innovation(innovation);
 }
 
-void run_spindle(const RecordingSignals& signals, const GapModel& model,
-                 std::span<const gap::EffectForm> forms, std::size_t first, std::size_t last,
-                 const OnInnovation& on_innovation) {
-  const auto observer = make<Spindle>(signals, model, forms);
+void run_spindle(const RecordingSignals& signals, const GapModel& model, const Disturbances& disturbances,
+                 std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
+  const auto observer = make<Spindle>(signals, model, disturbances);
   const auto rows = std::make_unique<Spindle::Rows>();
   const std::size_t columns = gap::kSpindleParameters + observer->terms().size();
   FrameSource frames(signals, model.machine, first);
@@ -61,9 +62,9 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model,
   }
 }
 
-void run_feed(const RecordingSignals& signals, const GapModel& model, std::span<const gap::EffectForm> forms,
+void run_feed(const RecordingSignals& signals, const GapModel& model, const Disturbances& disturbances,
               std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
-  const auto observer = make<Feed>(signals, model, forms);
+  const auto observer = make<Feed>(signals, model, disturbances);
   const auto rows = std::make_unique<Feed::Rows>();
   const std::size_t columns = gap::kFeedParameters + observer->terms().size();
   FrameSource frames(signals, model.machine, first);
@@ -112,10 +113,10 @@ std::size_t parameter_count(Axis axis) {
 }
 
 void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& model,
-                  std::span<const gap::EffectForm> forms, std::size_t first, std::size_t last,
+                  const Disturbances& disturbances, std::size_t first, std::size_t last,
                   const OnInnovation& on_innovation) {
   const auto run = axis == Axis::kSpindle ? run_spindle : run_feed;
-  run(signals, model, forms, first, last, on_innovation);
+  run(signals, model, disturbances, first, last, on_innovation);
 }
 
 }  // namespace morepro::host

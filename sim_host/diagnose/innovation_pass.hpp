@@ -32,10 +32,20 @@ using OnInnovation = std::function<void(const Innovation&)>;
 /// Number of parameter columns that come before the terms.
 std::size_t parameter_count(Axis axis);
 
-/// Runs the observer of one axis over rows [first, last) of the recording with the model, and `forms` as
-/// disturbances that might act. The observer starts at `first`.
+/// Disturbances that might act, each from the start of the recording or from its onset.
+struct Disturbances {
+  std::span<const gap::EffectForm> forms{};
+  std::span<const double> onset_s{};  ///< one per form; empty: all from the start
+
+  Disturbances() = default;
+  template <class Forms>
+  Disturbances(const Forms& all, std::span<const double> onsets = {}) : forms(all), onset_s(onsets) {}
+};
+
+/// Runs the observer of one axis over rows [first, last) of the recording with the model, and disturbances.
+/// The observer starts at `first`.
 void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& model,
-                  std::span<const gap::EffectForm> forms, std::size_t first, std::size_t last,
+                  const Disturbances& disturbances, std::size_t first, std::size_t last,
                   const OnInnovation& on_innovation);
 
 /// What the effects of a model, known and found, do in every row of a recording: to the balances during the

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim_host/diagnose/onset.hpp"
 #include "sim_host/diagnose/order_cells.hpp"
 #include "sim_host/diagnose/significance.hpp"
 #include "sim_host/diagnose/window_rows.hpp"
@@ -158,39 +159,15 @@ std::vector<BalanceResult> balances_of(const AxisDiagnosis& diagnosis, const std
 }
 
 std::optional<double> onset_of(const AxisDiagnosis& diagnosis, const gap::AppliedEffect& effect) {
+  if (effect.onset_s > 0.0) return effect.onset_s;
   AxisFit without = diagnosis.fit;
-  auto& effects = without.model().effects;
-  std::erase_if(effects,
+  std::erase_if(without.model().effects,
                 [&effect](const gap::AppliedEffect& e) { return e.form.effect == effect.form.effect; });
   const GapStatistics statistics = without.collect_with(std::array{effect.form});
-  const Eigen::MatrixXd total = statistics.total();
-  if (total.size() == 0) return std::nullopt;
-  const Eigen::Index width = total.cols();
-  const auto parameters = static_cast<Eigen::Index>(parameter_count(without.axis()));
-  const auto blocks = statistics.block.size();
-  // Deviance of a constant size from each block on; before it the effect is not there.
-  std::vector<double> gain(blocks + 1, 0.0);
-  Eigen::MatrixXd tail = Eigen::MatrixXd::Zero(width, width);
-  for (std::size_t b = blocks; b-- > 0;) {
-    tail += Eigen::MatrixXd(statistics.block[b].selfadjointView<Eigen::Lower>());
-    // The parameters see the whole recording, the effect only its tail.
-    Eigen::MatrixXd split = total;
-    for (Eigen::Index part = 0; part < effect.form.parts; ++part) {
-      const Eigen::Index column = parameters + part;
-      split.col(column) = tail.col(column);
-      split.row(column) = tail.row(column);
-    }
-    std::vector<Eigen::Index> active(static_cast<std::size_t>(width - 1));
-    for (std::size_t i = 0; i < active.size(); ++i) active[i] = static_cast<Eigen::Index>(i);
-    gain[b] =
-        split(width - 1, width - 1) - fit(split, active, without.precision(width), without.target(width)).rss;
-  }
-  const auto best = std::max_element(gain.begin(), gain.end());
-  const auto at = static_cast<std::size_t>(best - gain.begin());
-  const double unit = total(width - 1, width - 1) / statistics.total_rows();
-  constexpr double kSurelyLater = 30.0;
-  if (at == 0 || !(*best - gain[0] > std::max(kSurelyLater * unit, 0.05 * *best))) return std::nullopt;
-  return static_cast<double>(at) * statistics.block_s;
+  const LateStart start = best_start(
+      without, statistics, static_cast<Eigen::Index>(parameter_count(without.axis())), effect.form.parts);
+  if (!is_surely_late(start, statistics.total_rows())) return std::nullopt;
+  return start.onset_s;
 }
 
 }  // namespace morepro::host
