@@ -31,6 +31,8 @@ hal::ReadStatus RecordingReader::next(SensorFrame& frame) {
 }
 
 hal::ReadStatus RecordingReader::next_native(NativeReader& reader, SensorFrame& frame) {
+  if (reader.integrity().corrupt.total() == 0)
+    return reader.next(frame) ? hal::ReadStatus::kFrame : hal::ReadStatus::kEnd;
   if (!held_ && reader.damaged_so_far() == damage_reported_) {
     SensorFrame read;
     if (reader.next(read)) held_ = read;
