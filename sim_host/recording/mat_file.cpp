@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "lib/wire/byte_order.hpp"
 #include "sim_host/recording/mat_text.hpp"
 #include "sim_host/support/input_file.hpp"
 #include "sim_host/support/user_error.hpp"
@@ -70,14 +71,34 @@ std::vector<double> numbers(const matvar_t& variable) {
 
 void be_silent(int, char*) {}
 
+/// Does a file of version 5 end inside a variable? libmatio does not ask. The head ends with the version and
+/// the order of bytes; behind it every variable begins with its type and its size.
+bool is_cut(std::string_view file) {
+  constexpr std::size_t kHead = 128;
+  constexpr std::size_t kTag = 8;
+  if (file.size() < kHead) return false;
+  const std::string_view version = file.substr(kHead - 4, 4);
+  const bool is_little = version == std::string_view("\0\1IM", 4);
+  if (!is_little && version != std::string_view("\1\0MI", 4)) return false;
+  std::uint64_t offset = kHead;
+  while (offset + kTag <= file.size()) {
+    const auto* size = reinterpret_cast<const std::uint8_t*>(file.data()) + offset + 4;
+    const auto little = wire::load_little_endian<std::uint32_t>(size);
+    offset += kTag + (is_little ? little : wire::reversed_bytes(little));
+  }
+  return offset != file.size();
+}
+
 }  // namespace
 
 void MatFile::Close::operator()(_mat_t* file) const { Mat_Close(file); }
 
 MatFile::MatFile(const std::string& path) : path_(path) {
-  const InputFile is_readable(path);
+  const InputFile input(path);
   Mat_LogInitFunc("morepro", be_silent);
-  if (!is_readable.text().empty()) file_.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
+  if (is_cut(input.text()))
+    throw UserError(fmt::format("{}: the file is cut off or damaged; copy or save it again", path));
+  if (!input.text().empty()) file_.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   while (file_) {
     const Owned variable(Mat_VarReadNextInfo(file_.get()));
     if (!variable) break;

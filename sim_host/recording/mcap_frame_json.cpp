@@ -94,6 +94,8 @@ void append_frame_json(const SensorFrame& frame, std::string& text) {
     fmt::format_to(out, FMT_COMPILE("{}\"{}\":"), separator, kChannels[i].column);
     if (std::isinf(value)) {
       text += value > 0.0F ? "1e39" : "-1e39";
+    } else if (value == 0.0F && std::signbit(value)) {
+      text += "-0.0";  // "-0" would be an integer, which has no such zero
     } else {
       fmt::format_to(out, FMT_COMPILE("{}"), value);
     }
