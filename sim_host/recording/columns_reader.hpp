@@ -21,6 +21,7 @@ struct RecordingColumns {
 struct LoadedRecording {
   RecordingInfo info;  ///< without rate and start, which the times say
   RecordingColumns columns;
+  std::string damage;  ///< what is cut off, as a sentence; empty where the file is whole
 };
 
 /// Reads a MATLAB file: one variable per column, under the column's name or mapped to it. Throws UserError
@@ -28,7 +29,7 @@ struct LoadedRecording {
 LoadedRecording load_mat(const std::string& path, const ColumnMapping& mapping);
 
 /// Reads an MCAP file that morepro wrote; what other topics hold is ignored with a warning. Throws UserError
-/// where the file is none, has no such topic, is compressed or damaged. A cut gives a warning.
+/// where the file is none, has no such topic, is compressed or damaged. A cut is the damage of what is given.
 LoadedRecording load_mcap(const std::string& path);
 
 /// Gives columns as frames. NaN is a missing sample, an infinity a value, for the monitor's guard to reject.
@@ -43,6 +44,7 @@ class ColumnsReader {
   [[nodiscard]] std::size_t rows() const { return recording_.columns.time_s.size(); }
   [[nodiscard]] const RecordingInfo& info() const { return recording_.info; }
   [[nodiscard]] const RecordingTally& tally() const { return clock_.tally(); }
+  [[nodiscard]] const std::string& damage() const { return recording_.damage; }
 
  private:
   void check_time() const;

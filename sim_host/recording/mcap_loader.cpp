@@ -23,15 +23,18 @@ class Loader {
     if (!text.starts_with(kMcapMagic))
       throw UserError(fmt::format("{}: no MCAP file; give a file that morepro convert wrote", file()));
     take_records(text.substr(kMcapMagic.size()));
-    if (!is_at_end_) recording_.info.warnings.push_back(fmt::format("{}: the file was cut", file()));
     if (!channel_)
       throw UserError(fmt::format(
           "{}: there is no topic '{}'; only files that morepro convert wrote are read", file(), kMcapTopic));
+    if (!is_at_end_)
+      recording_.damage =
+          fmt::format("{}: the recording was cut; {} frames before the cut can be read", file(), rows());
     return std::move(recording_);
   }
 
  private:
   [[nodiscard]] const std::string& file() const { return recording_.info.file; }
+  [[nodiscard]] std::size_t rows() const { return recording_.columns.time_s.size(); }
 
   void take_records(std::string_view bytes) {
     McapCursor cursor(bytes);
@@ -98,9 +101,8 @@ class Loader {
     const std::string_view records = content.get_bytes(content.get<std::uint64_t>());
     const auto found = crc32_z(0, reinterpret_cast<const unsigned char*>(records.data()), records.size());
     if (!content.is_intact() || (crc != 0 && crc != found))
-      throw UserError(
-          fmt::format("{}: the chunk behind message {} is damaged; copy or convert the file again", file(),
-                      recording_.columns.time_s.size()));
+      throw UserError(fmt::format(
+          "{}: the chunk behind message {} is damaged; copy or convert the file again", file(), rows()));
     take_records(records);
   }
 
@@ -111,9 +113,8 @@ class Loader {
     content.get<std::uint64_t>();
     SensorFrame frame;
     if (!read_frame_json(content.rest(), frame))
-      throw UserError(
-          fmt::format("{}: message {} is no frame; only files that morepro convert wrote are read", file(),
-                      recording_.columns.time_s.size() + 1));
+      throw UserError(fmt::format(
+          "{}: message {} is no frame; only files that morepro convert wrote are read", file(), rows() + 1));
     recording_.columns.time_s.push_back(static_cast<double>(time_ns) / 1.0e9);
     for (std::size_t i = 0; i < kChannelCount; ++i) {
       const auto channel = static_cast<Channel>(i);

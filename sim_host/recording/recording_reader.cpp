@@ -77,6 +77,7 @@ std::optional<MonitorConfiguration> RecordingReader::configuration() const {
 }
 
 std::string RecordingReader::damage() const {
+  if (const auto* columns = std::get_if<ColumnsReader>(&reader_)) return columns->damage();
   const auto* native = std::get_if<NativeReader>(&reader_);
   if (native == nullptr || native->integrity().is_complete()) return {};
   return fmt::format("{}", fmt::join(native->info().warnings, "; "));
