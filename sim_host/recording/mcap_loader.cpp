@@ -15,14 +15,19 @@
 namespace morepro::host {
 namespace {
 
+std::uint32_t crc_of(std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
+
 class Loader {
  public:
-  explicit Loader(const std::string& path) { recording_.info.file = path; }
+  Loader(const std::string& path, std::string_view whole) : whole_(whole) { recording_.info.file = path; }
 
-  LoadedRecording load(std::string_view text) {
-    if (!text.starts_with(kMcapMagic))
+  LoadedRecording load() {
+    if (!whole_.starts_with(kMcapMagic))
       throw UserError(fmt::format("{}: no MCAP file; give a file that morepro convert wrote", file()));
-    take_records(text.substr(kMcapMagic.size()));
+    take_records(whole_.substr(kMcapMagic.size()));
     if (!channel_)
       throw UserError(fmt::format(
           "{}: there is no topic '{}'; only files that morepro convert wrote are read", file(), kMcapTopic));
@@ -57,8 +62,7 @@ class Loader {
       case McapOp::kMetadata:
         return take_metadata(content);
       case McapOp::kDataEnd:
-        is_at_end_ = true;
-        return;
+        return take_end(content);
       default:
         return;
     }
@@ -99,11 +103,19 @@ class Loader {
       throw UserError(
           fmt::format("{}: compressed with {}; write it again without compression", file(), compression));
     const std::string_view records = content.get_bytes(content.get<std::uint64_t>());
-    const auto found = crc32_z(0, reinterpret_cast<const unsigned char*>(records.data()), records.size());
-    if (!content.is_intact() || (crc != 0 && crc != found))
+    if (!content.is_intact() || (crc != 0 && crc != crc_of(records)))
       throw UserError(fmt::format(
           "{}: the chunk behind message {} is damaged; copy or convert the file again", file(), rows()));
     take_records(records);
+  }
+
+  /// The check sum of everything before; 0: the writer made none.
+  void take_end(McapCursor content) {
+    const auto size = static_cast<std::size_t>(content.rest().data() - whole_.data()) - kMcapRecordHead;
+    const auto crc = content.get<std::uint32_t>();
+    if (crc != 0 && crc != crc_of(whole_.substr(0, size)))
+      throw UserError(fmt::format("{}: the file is damaged; copy or convert it again", file()));
+    is_at_end_ = true;
   }
 
   void take_message(McapCursor content) {
@@ -125,6 +137,7 @@ class Loader {
 
   static constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
+  std::string_view whole_;
   LoadedRecording recording_;
   std::map<std::uint16_t, std::uint16_t> schemas_;  ///< id, recorded channels
   std::optional<std::uint16_t> channel_;
@@ -135,7 +148,7 @@ class Loader {
 
 LoadedRecording load_mcap(const std::string& path) {
   const InputFile file(path);
-  return Loader(path).load(file.text());
+  return Loader(path, file.text()).load();
 }
 
 }  // namespace morepro::host

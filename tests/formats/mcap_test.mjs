@@ -112,4 +112,8 @@ test("a cut file is readable up to the cut, and a changed byte is found", () => 
   damaged[file.length / 2 | 0] ^= 1;
   writeFileSync(join(folder, "damaged.mcap"), damaged);
   assert.throws(() => run("convert", "damaged.mcap", "out.csv"), /damaged\.mcap: the chunk behind message \d+ is damaged/);
+  file.copy(damaged);
+  damaged[file.indexOf("reference")] ^= 1;  // metadata, in no chunk
+  writeFileSync(join(folder, "damaged.mcap"), damaged);
+  assert.throws(() => run("convert", "damaged.mcap", "out.csv"), /damaged\.mcap: the file is damaged/);
 });
