@@ -10,6 +10,7 @@ void add_simulate(CLI::App& program);
 void add_replay(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_config(CLI::App& program);
+void add_diff(CLI::App& program);
 void add_diagnose(CLI::App& program);
 void add_identify(CLI::App& program);
 void add_effects(CLI::App& program);

@@ -15,10 +15,20 @@
 namespace morepro::host {
 namespace {
 
+constexpr const char* kFooter =
+    ".csv and .mrec as the READMEs say; .mat: MATLAB, written as version 5, read up to 7.3, one column "
+    "vector per\n"
+    "signal; .mcap: for Foxglove and PlotJuggler, JSON messages on the topic /morepro/frame.\n\n"
+    "Example: morepro convert run.csv run.mcap\n"
+    "         morepro convert DATA_EMPS.mat axis.csv --map time_s=t --map feed_position_m=qm \\\n"
+    "           --map 'feed_force_n=gtau*vir'";
+
 struct ConvertArguments {
   std::string in;
   std::string out;
   std::string machine;
+  std::vector<std::string> map;
+  double rate_hz = 0.0;
   bool accept_damaged = false;
   std::string progress = "auto";
 };
@@ -36,12 +46,12 @@ std::uint64_t copy(RecordingReader& in, RecordingWriter& out, Progress& progress
 
 void run(const ConvertArguments& arguments) {
   check_distinct({{"in", arguments.in}, {"--machine", arguments.machine}}, {{"out", arguments.out}});
-  RecordingReader in(arguments.in);
+  RecordingReader in(arguments.in, {.sources = column_sources(arguments.map), .rate_hz = arguments.rate_hz});
   std::vector<std::string> notices;
   MachineDescription machine = machine_for(in, arguments.machine, notices);
   know_effects(machine, notices);
-  // CSV holds no machine: what was assumed about it does not matter there.
-  if (format_of(arguments.out) == RecordingFormat::kCsv) notices.clear();
+  // Only a native recording holds a machine: what was assumed about it does not matter there.
+  if (format_of(arguments.out) != RecordingFormat::kNative) notices.clear();
   const bool is_damaged = !in.damage().empty();
   if (!is_damaged) notices.insert(notices.begin(), in.info().warnings.begin(), in.info().warnings.end());
   for (const std::string& notice : notices) warn(notice);
@@ -64,9 +74,21 @@ void add_convert(CLI::App& program) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       program.add_subcommand("convert", "convert a recording between formats, by file ending");
-  command->add_option("in", arguments->in, "recording, .csv or .mrec")->required();
-  command->add_option("out", arguments->out, "recording to write, .csv or .mrec; '-': CSV on standard output")
+  command->footer(kFooter);
+  command->add_option("in", arguments->in, "recording, .csv, .mrec, .mat or .mcap")->required();
+  command
+      ->add_option("out", arguments->out,
+                   "recording to write, .csv, .mrec, .mat or .mcap; '-': CSV on standard output")
       ->required();
+  command
+      ->add_option(
+          "--map", arguments->map,
+          "COLUMN=VARIABLE or COLUMN=FACTOR*VARIABLE: a variable of a .mat file that has another name "
+          "than the column; FACTOR is a number or a scalar variable; repeatable")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--rate", arguments->rate_hz, "samples per second of a .mat file without a time")
+      ->check(between(0.001, 1.0e6, "Hz"));
   command->add_option("--machine", arguments->machine, "machine that a native recording shall hold");
   command->add_flag("--accept-damaged", arguments->accept_damaged,
                     "convert what is left of a damaged recording");

@@ -85,7 +85,7 @@ void add_diagnose(CLI::App& program) {
   auto arguments = std::make_shared<DiagnoseArguments>();
   CLI::App* command = program.add_subcommand(
       "diagnose", "find where the model is wrong, which effect explains it and how far it shrinks with it");
-  command->add_option("recording", arguments->recording, "recording, .csv or .mrec")->required();
+  command->add_option("recording", arguments->recording, "recording, .csv, .mrec, .mat or .mcap")->required();
   command->add_option(
       "--machine", arguments->machine,
       "'reference', 'thesis' or a machine file, the datasheet; the recording's own by default");

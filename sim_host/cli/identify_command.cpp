@@ -101,7 +101,7 @@ void add_identify(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "identify", "find the machine's parameters: value, standard error, identifiable or why not");
   command->footer(kFooter);
-  command->add_option("recording", arguments->recording, "recording, .csv or .mrec")->required();
+  command->add_option("recording", arguments->recording, "recording, .csv, .mrec, .mat or .mcap")->required();
   command->add_option(
       "--machine", arguments->machine,
       "'reference', 'thesis' or a machine file, the datasheet; the recording's own by default");

@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   morepro::host::add_replay(program);
   morepro::host::add_identify(program);
   morepro::host::add_convert(program);
+  morepro::host::add_diff(program);
   morepro::host::add_config(program);
   morepro::host::add_diagnose(program);
   morepro::host::add_effects(program);

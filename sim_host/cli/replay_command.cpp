@@ -120,7 +120,7 @@ void run(const ReplayArguments& arguments) {
 void add_replay(CLI::App& program) {
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = program.add_subcommand("replay", "feed a recording through the monitor of the board");
-  command->add_option("recording", arguments->recording, "recording, .csv or .mrec")->required();
+  command->add_option("recording", arguments->recording, "recording, .csv, .mrec, .mat or .mcap")->required();
   command->add_option("--machine", arguments->machine,
                       "'reference', 'thesis' or a machine file; the recording's own by default");
   command

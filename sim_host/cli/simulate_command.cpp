@@ -92,8 +92,8 @@ void run(const SimulateArguments& arguments) {
   set_rate(machine.configuration, options.rate_hz);
   std::vector<std::string> notices;
   know_effects(machine, notices);
-  // CSV holds no machine: what its monitor knows does not matter there.
-  if (format_of(arguments.out) == RecordingFormat::kCsv) notices.clear();
+  // Only a native recording holds a machine: what its monitor knows does not matter there.
+  if (format_of(arguments.out) != RecordingFormat::kNative) notices.clear();
   for (const std::string& notice : notices) warn(notice);
   Simulation simulation(machine.configuration, options);
   if (simulation.frame_count() < 2)
@@ -152,7 +152,8 @@ void add_simulate(CLI::App& program) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command
-      ->add_option("--out", arguments->out, "recording to write, .csv or .mrec; '-': CSV on standard output")
+      ->add_option("--out", arguments->out,
+                   "recording to write, .csv, .mrec, .mat or .mcap; '-': CSV on standard output")
       ->required();
   add_progress_option(*command, arguments->progress);
   command->callback([arguments] { run(*arguments); });

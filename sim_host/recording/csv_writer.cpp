@@ -6,13 +6,11 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "sim_host/recording/recording_time.hpp"
-
 namespace morepro::host {
 
 CsvWriter::CsvWriter(OutputFile& file, const Metadata& metadata, std::uint16_t recorded,
                      std::int64_t start_us)
-    : file_(file), recorded_(recorded), time_us_(start_us) {
+    : file_(file), recorded_(recorded), time_(start_us) {
   std::string head;
   for (const auto& [key, value] : metadata) head += fmt::format("# {}: {}\n", key, value);
   head += "time_s";
@@ -23,14 +21,11 @@ CsvWriter::CsvWriter(OutputFile& file, const Metadata& metadata, std::uint16_t r
 }
 
 bool CsvWriter::write(const SensorFrame& frame) {
-  const std::int64_t time_us = unwrapped(frame.time_us, time_us_);
-  if (!is_first_ && time_us <= time_us_) return false;
-  time_us_ = time_us;
-  is_first_ = false;
+  if (!time_.advance(frame.time_us)) return false;
   fmt::memory_buffer line;
   const auto out = std::back_inserter(line);
-  fmt::format_to(out, FMT_COMPILE("{}{}.{:06}"), time_us_ < 0 ? "-" : "", std::abs(time_us_) / 1000000,
-                 std::abs(time_us_) % 1000000);
+  fmt::format_to(out, FMT_COMPILE("{}{}.{:06}"), time_.us() < 0 ? "-" : "", std::abs(time_.us()) / 1000000,
+                 std::abs(time_.us()) % 1000000);
   for (std::size_t i = 0; i < kChannelCount; ++i) {
     const auto channel = static_cast<Channel>(i);
     if (!(recorded_ & bit_of(channel))) continue;

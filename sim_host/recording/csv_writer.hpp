@@ -3,6 +3,7 @@
 
 #include "lib/frame/sensor_frame.hpp"
 #include "sim_host/recording/recording_info.hpp"
+#include "sim_host/recording/recording_time.hpp"
 #include "sim_host/support/output_file.hpp"
 
 namespace morepro::host {
@@ -21,8 +22,7 @@ class CsvWriter {
  private:
   OutputFile& file_;
   std::uint16_t recorded_;
-  std::int64_t time_us_;
-  bool is_first_ = true;
+  IncreasingTime time_;
 };
 
 }  // namespace morepro::host

@@ -5,12 +5,13 @@
 
 namespace morepro::host {
 
-void NativeRate::add(const SensorFrame& frame) {
-  const auto frames = static_cast<std::int32_t>(frame.sequence - previous_.sequence);
-  const auto step_us = static_cast<std::int32_t>(frame.time_us - previous_.time_us);
-  if (has_previous_ && frames > 0 && step_us > 0 && steps_us_.size() < kSteps)
-    steps_us_.push_back(static_cast<double>(step_us) / frames);
-  previous_ = frame;
+void NativeRate::add(std::uint32_t sequence, std::uint32_t time_us) {
+  if (steps_us_.size() == kSteps) return;
+  const auto frames = static_cast<std::int32_t>(sequence - previous_sequence_);
+  const auto step_us = static_cast<std::int32_t>(time_us - previous_time_us_);
+  if (has_previous_ && frames > 0 && step_us > 0) steps_us_.push_back(static_cast<double>(step_us) / frames);
+  previous_sequence_ = sequence;
+  previous_time_us_ = time_us;
   has_previous_ = true;
 }
 

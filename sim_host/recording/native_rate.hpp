@@ -3,14 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/frame/sensor_frame.hpp"
-
 namespace morepro::host {
 
 /// Sampling rate of a stream of frames, from the first 10,000 steps between them.
 class NativeRate {
  public:
-  void add(const SensorFrame& frame);
+  /// Of the next frame; time in microseconds. Both wrap.
+  void add(std::uint32_t sequence, std::uint32_t time_us);
 
   /// In Hz; 0 where fewer than two frames followed each other.
   [[nodiscard]] double rate_hz() const;
@@ -19,7 +18,8 @@ class NativeRate {
   static constexpr std::size_t kSteps = 10000;
 
   std::vector<double> steps_us_;
-  SensorFrame previous_;
+  std::uint32_t previous_sequence_ = 0;
+  std::uint32_t previous_time_us_ = 0;
   bool has_previous_ = false;
 };
 

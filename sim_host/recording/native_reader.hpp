@@ -6,6 +6,7 @@
 
 #include "lib/frame/sensor_frame.hpp"
 #include "lib/wire/decoder.hpp"
+#include "sim_host/recording/intact_frame.hpp"
 #include "sim_host/recording/native_scan.hpp"
 #include "sim_host/support/input_file.hpp"
 
@@ -37,7 +38,8 @@ class NativeReader {
   InputFile file_;
   std::span<const std::uint8_t> rest_;
   NativeScan scan_;
-  wire::Decoder decoder_;
+  IntactFrame record_;
+  wire::Decoder decoder_;  ///< of what is no intact frame
   RecordingTally tally_;
   std::uint32_t previous_sequence_ = 0;
   std::uint32_t previous_time_us_ = 0;

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "lib/wire/decoder.hpp"
+#include "sim_host/recording/intact_frame.hpp"
 #include "sim_host/recording/native_rate.hpp"
 #include "sim_host/recording/recording_time.hpp"
 #include "sim_host/support/user_error.hpp"
@@ -21,10 +22,11 @@ class Scanner {
   void operator()(const Health&) {}
   void operator()(const wire::Ready&) {}
 
-  void operator()(const SensorFrame& frame) {
-    if (scan_.integrity.frames++ == 0) scan_.info.start_us = unwrapped(frame.time_us, stated_start_us());
-    scan_.info.recorded |= frame.present;
-    rate_.add(frame);
+  void operator()(const SensorFrame& frame) { take_frame(frame.sequence, frame.time_us, frame.present); }
+  void take_frame(std::uint32_t sequence, std::uint32_t time_us, std::uint16_t present) {
+    if (scan_.integrity.frames++ == 0) scan_.info.start_us = unwrapped(time_us, stated_start_us());
+    scan_.info.recorded |= present;
+    rate_.add(sequence, time_us);
   }
 
   void operator()(const MonitorConfiguration& configuration) {
@@ -61,9 +63,17 @@ class Scanner {
 std::uint64_t scan_records(std::span<const std::uint8_t> bytes, NativeScan& scan) {
   Scanner scanner(scan);
   wire::Decoder decoder;
+  IntactFrame frame;
   std::uint64_t records = 0;
   for (auto rest = bytes; !rest.empty();) {
     const std::uint64_t offset = bytes.size() - rest.size();
+    if (frame.take(rest, FrameCheck::kCrc)) {
+      scan.integrity.has_end = false;
+      scanner.take_frame(frame.sequence(), frame.time_us(), frame.present());
+      scan.integrity.cut_offset = bytes.size() - rest.size();
+      ++records;
+      continue;
+    }
     const auto event = decoder.next(rest);
     if (event == wire::DecodeEvent::kCorrupt && decoder.corrupt().total() == 1)
       scan.integrity.first_corrupt_offset = offset;

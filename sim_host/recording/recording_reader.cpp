@@ -8,15 +8,28 @@
 namespace morepro::host {
 namespace {
 
-std::variant<CsvReader, NativeReader> open(const std::string& path) {
-  if (format_of(path) == RecordingFormat::kCsv)
-    return std::variant<CsvReader, NativeReader>(std::in_place_index<0>, path);
-  return std::variant<CsvReader, NativeReader>(std::in_place_index<1>, path);
+using AnyReader = std::variant<CsvReader, NativeReader, ColumnsReader>;
+
+AnyReader open(const std::string& path, const ColumnMapping& mapping) {
+  const RecordingFormat format = format_of(path);
+  if (format != RecordingFormat::kMat && !mapping.is_empty())
+    throw UsageError(fmt::format("{}: --map and --rate are for .mat files; others have fixed names", path));
+  switch (format) {
+    case RecordingFormat::kNative:
+      return AnyReader(std::in_place_type<NativeReader>, path);
+    case RecordingFormat::kMat:
+      return AnyReader(std::in_place_type<ColumnsReader>, load_mat(path, mapping));
+    case RecordingFormat::kMcap:
+      return AnyReader(std::in_place_type<ColumnsReader>, load_mcap(path));
+    default:
+      return AnyReader(std::in_place_type<CsvReader>, path);
+  }
 }
 
 }  // namespace
 
-RecordingReader::RecordingReader(const std::string& path) : reader_(open(path)) {
+RecordingReader::RecordingReader(const std::string& path, const ColumnMapping& mapping)
+    : reader_(open(path, mapping)) {
   const auto* native = std::get_if<NativeReader>(&reader_);
   if (native != nullptr && native->integrity().frames == 0) {
     throw UserError(fmt::format("{}: the recording holds no frames; record again", path));
@@ -27,10 +40,15 @@ hal::ReadStatus RecordingReader::next(SensorFrame& frame) {
   if (auto* csv = std::get_if<CsvReader>(&reader_)) {
     return csv->next(frame) ? hal::ReadStatus::kFrame : hal::ReadStatus::kEnd;
   }
+  if (auto* columns = std::get_if<ColumnsReader>(&reader_)) {
+    return columns->next(frame) ? hal::ReadStatus::kFrame : hal::ReadStatus::kEnd;
+  }
   return next_native(std::get<NativeReader>(reader_), frame);
 }
 
 hal::ReadStatus RecordingReader::next_native(NativeReader& reader, SensorFrame& frame) {
+  if (reader.integrity().corrupt.total() == 0)
+    return reader.next(frame) ? hal::ReadStatus::kFrame : hal::ReadStatus::kEnd;
   if (!held_ && reader.damaged_so_far() == damage_reported_) {
     SensorFrame read;
     if (reader.next(read)) held_ = read;
@@ -59,12 +77,14 @@ std::optional<MonitorConfiguration> RecordingReader::configuration() const {
 }
 
 std::string RecordingReader::damage() const {
+  if (const auto* columns = std::get_if<ColumnsReader>(&reader_)) return columns->damage();
   const auto* native = std::get_if<NativeReader>(&reader_);
   if (native == nullptr || native->integrity().is_complete()) return {};
   return fmt::format("{}", fmt::join(native->info().warnings, "; "));
 }
 
 std::uint64_t RecordingReader::frame_count() const {
+  if (const auto* columns = std::get_if<ColumnsReader>(&reader_)) return columns->rows();
   const auto* native = std::get_if<NativeReader>(&reader_);
   return native == nullptr ? 0 : native->integrity().frames;
 }

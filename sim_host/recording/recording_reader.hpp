@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "hal/board.hpp"
+#include "sim_host/recording/columns_reader.hpp"
 #include "sim_host/recording/csv_reader.hpp"
 #include "sim_host/recording/native_reader.hpp"
 
@@ -13,8 +14,11 @@ namespace morepro::host {
 /// A recording of any format, read as a board reads its link.
 class RecordingReader {
  public:
-  /// The format is that of the file's ending. Throws UserError where the file cannot be read at all.
-  explicit RecordingReader(const std::string& path);
+  /// The format is that of the file's ending; `mapping` is for those whose columns may have names of their
+  /// own
+  /// (.mat). Throws UserError where the file cannot be read at all, UsageError for a mapping that it cannot
+  /// take.
+  explicit RecordingReader(const std::string& path, const ColumnMapping& mapping = {});
 
   /// kFrame, kCorrupt for a damaged place of a native recording, kEnd. Throws UserError at a malformed CSV
   /// row.
@@ -32,7 +36,7 @@ class RecordingReader {
  private:
   hal::ReadStatus next_native(NativeReader& reader, SensorFrame& frame);
 
-  std::variant<CsvReader, NativeReader> reader_;
+  std::variant<CsvReader, NativeReader, ColumnsReader> reader_;
   std::optional<SensorFrame> held_;  ///< read already, waits until the damage before it is reported
   std::uint32_t damage_reported_ = 0;
 };

@@ -14,13 +14,25 @@ Metadata without_start(const RecordingInfo& info) {
   return metadata;
 }
 
-std::variant<CsvWriter, NativeWriter> open(OutputFile& file, const RecordingInfo& info) {
+NativeWriter open_native(OutputFile& file, Metadata metadata, std::int64_t start_us) {
+  if (start_us != wrapped(start_us))
+    metadata.emplace_back(kStartKey, fmt::format("{:.6f}", seconds(start_us)));
+  return {file, metadata};
+}
+
+std::variant<CsvWriter, NativeWriter, MatWriter, McapWriter> open(OutputFile& file,
+                                                                  const RecordingInfo& info) {
   Metadata metadata = without_start(info);
-  if (format_of(file.path()) == RecordingFormat::kCsv)
-    return CsvWriter(file, metadata, info.recorded, info.start_us);
-  if (info.start_us != wrapped(info.start_us))
-    metadata.emplace_back(kStartKey, fmt::format("{:.6f}", seconds(info.start_us)));
-  return NativeWriter(file, metadata);
+  switch (format_of(file.path())) {
+    case RecordingFormat::kNative:
+      return open_native(file, metadata, info.start_us);
+    case RecordingFormat::kMat:
+      return MatWriter(file, metadata, info.recorded, info.start_us);
+    case RecordingFormat::kMcap:
+      return McapWriter(file, metadata, info.recorded, info.start_us);
+    default:
+      return CsvWriter(file, metadata, info.recorded, info.start_us);
+  }
 }
 
 }  // namespace
@@ -32,13 +44,19 @@ RecordingWriter::RecordingWriter(OutputFile& file, const RecordingInfo& info,
 }
 
 bool RecordingWriter::write(const SensorFrame& frame) {
+  if (auto* native = std::get_if<NativeWriter>(&writer_)) {
+    native->write(frame);
+    return true;
+  }
   if (auto* csv = std::get_if<CsvWriter>(&writer_)) return csv->write(frame);
-  std::get<NativeWriter>(writer_).write(frame);
-  return true;
+  if (auto* mat = std::get_if<MatWriter>(&writer_)) return mat->write(frame);
+  return std::get<McapWriter>(writer_).write(frame);
 }
 
 void RecordingWriter::finish() {
   if (auto* native = std::get_if<NativeWriter>(&writer_)) native->finish();
+  if (auto* mat = std::get_if<MatWriter>(&writer_)) mat->finish();
+  if (auto* mcap = std::get_if<McapWriter>(&writer_)) mcap->finish();
 }
 
 }  // namespace morepro::host

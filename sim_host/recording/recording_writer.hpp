@@ -5,6 +5,8 @@
 #include "lib/frame/sensor_frame.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 #include "sim_host/recording/csv_writer.hpp"
+#include "sim_host/recording/mat_writer.hpp"
+#include "sim_host/recording/mcap_writer.hpp"
 #include "sim_host/recording/native_writer.hpp"
 #include "sim_host/recording/recording_info.hpp"
 #include "sim_host/support/output_file.hpp"
@@ -18,14 +20,14 @@ class RecordingWriter {
   /// the configuration.
   RecordingWriter(OutputFile& file, const RecordingInfo& info, const MonitorConfiguration& configuration);
 
-  /// Returns false, and writes nothing, where the format cannot hold the frame: CSV holds no repeated and no
-  /// old one.
+  /// Returns false, and writes nothing, where the format cannot hold the frame: only the native one holds
+  /// repeated and old ones.
   bool write(const SensorFrame& frame);
   /// Closes the recording; without it a native one counts as cut.
   void finish();
 
  private:
-  std::variant<CsvWriter, NativeWriter> writer_;
+  std::variant<CsvWriter, NativeWriter, MatWriter, McapWriter> writer_;
 };
 
 }  // namespace morepro::host

@@ -76,7 +76,7 @@ class Outputs(ProgramTest):
                           ["simulate", "--out", "a.csv", "--profile", "idle"],
                           ["simulate", "--out", "a.csv", "--datasheet-error", "2"],
                           ["simulate", "--out", "a.csv", "--seed", "-1"],
-                          ["replay", "run.txt"], ["convert", "run.csv"], ["convert", "run.csv", "run.mat"],
+                          ["replay", "run.txt"], ["convert", "run.csv"], ["convert", "run.csv", "run.h5"],
                           ["replay", "run.csv", "--machine", "thesys"], ["replay", "run.csv", "--no-such-option"]):
             with self.subTest(arguments):
                 self.must_refuse(2, *arguments)

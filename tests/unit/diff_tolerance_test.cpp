@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sim_host/diff/tolerances.hpp"
+#include "sim_host/support/user_error.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Case {
+  double a, b;
+  Tolerance tolerance;
+  bool is_within;
+};
+
+TEST(DiffTolerance, IsTheGreaterOfAbsoluteAndRelativeToTheBaseline) {
+  for (const auto& [a, b, tolerance, expected] : {
+           Case{1.0, 1.0, {}, true},
+           Case{1.0, std::nextafter(1.0, 2.0), {}, false},
+           Case{8.0, 8.5, {0.5, 0.0}, true},
+           Case{8.0, 7.5, {0.5, 0.0}, true},
+           Case{8.0, 8.5625, {0.5, 0.0}, false},
+           Case{-8.0, -10.0, {0.0, 0.25}, true},
+           Case{-8.0, -10.125, {0.0, 0.25}, false},
+           Case{8.0, 10.0, {0.5, 0.25}, true},     // 2 by the share
+           Case{1.0, 1.5, {0.5, 0.25}, true},      // 0.5 absolute
+           Case{1.0, 1.625, {0.5, 0.25}, false},   // not their sum
+           Case{8.0, 10.125, {0.0, 0.25}, false},  // of A, which is 2, not of B
+           Case{0.0, 1.0e-300, {0.0, 1.0}, false},
+           Case{0.0, -0.0, {}, true},
+       })
+    EXPECT_EQ(is_within(a, b, tolerance), expected) << a << " " << b;
+}
+
+TEST(DiffTolerance, KnowsNoNearInfinity) {
+  const Tolerance any{1.0e300, 1.0};
+  EXPECT_TRUE(is_within(kInfinity, kInfinity, {}));
+  EXPECT_TRUE(is_within(NAN, NAN, {}));
+  EXPECT_FALSE(is_within(kInfinity, -kInfinity, any));
+  EXPECT_FALSE(is_within(kInfinity, 1.0, any));
+  EXPECT_FALSE(is_within(1.0, kInfinity, any));
+  EXPECT_FALSE(is_within(NAN, 1.0, any));
+  EXPECT_FALSE(is_within(1.0, NAN, any));
+}
+
+TEST(DiffTolerance, IsReadFromAnOption) {
+  Tolerances tolerances{.common = {1.0, 0.0}, .of_signal = {}};
+  take_tolerance("feed_force_n=0.5,0.01", tolerances);
+  take_tolerance("parameters[a=b].estimate=2", tolerances);
+  EXPECT_EQ(tolerances.of("feed_force_n").absolute, 0.5);
+  EXPECT_EQ(tolerances.of("feed_force_n").relative, 0.01);
+  EXPECT_EQ(tolerances.of("parameters[a=b].estimate").absolute, 2.0);
+  EXPECT_EQ(tolerances.of("contact").absolute, 1.0);
+  for (const char* wrong :
+       {"contact", "=1", "contact=", "contact=x", "contact=-1", "contact=1,", "contact=1,nan"})
+    EXPECT_THROW(take_tolerance(wrong, tolerances), UsageError) << wrong;
+}
+
+}  // namespace
+}  // namespace morepro::host
