@@ -350,7 +350,9 @@ class Diagnosis {
       const bool is_sensor = group == gap::EffectGroup::kSensor;
       if (!is_here && !is_sensor) continue;
       balance.is_significant |= is_here || balance.residual_ratio > kVisible;
-      if (is_here && is_strongest) balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
+      const bool is_late_fault = is_sensor && finding.effect.onset_s > 0.0 && balance.is_significant;
+      if ((is_here && is_strongest) || is_late_fault)
+        balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
       is_strongest &= !is_here;
     }
     const double left = leftover_in(balance.balance, outcome);

@@ -1,0 +1,50 @@
+// An effect that sets in during the recording is named with its size and its time.
+#include <gtest/gtest.h>
+
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+struct Case {
+  Effect effect;
+  double size;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << gap::name_of(c.effect); }
+
+class LateEffect : public testing::TestWithParam<Case> {};
+
+TEST_P(LateEffect, IsNamedAloneWithItsSizeAndItsTime) {
+  constexpr double kOnsetS = 2.37;
+  const auto result =
+      diagnosed(record({.effects = {effect(GetParam().effect, GetParam().size, kOnsetS)}, .duration_s = 5.0}),
+                datasheet(0.05));
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_TRUE(names(result.which[0], GetParam().effect)) << said(result);
+  // A twentieth: the forms are the simulator's own, so nothing but noise is in the way.
+  EXPECT_NEAR(result.which[0].magnitude, GetParam().size, 0.05 * GetParam().size);
+  bool has_onset = false;
+  for (const auto& balance : result.where) {
+    if (!balance.onset_s) continue;
+    has_onset = true;
+    EXPECT_NEAR(*balance.onset_s, kOnsetS, 0.02);
+  }
+  EXPECT_TRUE(has_onset);
+}
+
+INSTANTIATE_TEST_SUITE_P(, LateEffect,
+                         testing::Values(Case{Effect::kDriveLag, 1.0e-3}, Case{Effect::kFeedSpring, 40.0},
+                                         Case{Effect::kCurrentBias, 0.2}));
+
+TEST(LateEffects, AreWrittenForAMachineThatHasThemNow) {
+  const host::DiagnosisOptions options{.bootstrap_runs = 0, .excluded = {}};
+  MachineDescription with_effects;
+  host::diagnose(record({.effects = {effect(Effect::kFeedSpring, 40.0, 1.5)}}), datasheet(0.05), options,
+                 with_effects);
+  ASSERT_EQ(with_effects.effects.size(), 1U);
+  EXPECT_EQ(with_effects.effects[0].onset_s, 0.0);
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test
