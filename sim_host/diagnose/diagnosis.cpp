@@ -7,14 +7,11 @@
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
-#include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/axis_outcome.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
-#include "sim_host/diagnose/bootstrap.hpp"
 #include "sim_host/diagnose/clock_jitter.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
-#include "sim_host/diagnose/leftover.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
-#include "sim_host/diagnose/nominal_fit.hpp"
 #include "sim_host/diagnose/parameter_report.hpp"
 #include "sim_host/diagnose/reference_scales.hpp"
 #include "sim_host/diagnose/sampling_checks.hpp"
@@ -27,23 +24,12 @@ namespace {
 
 using gap::Effect;
 
-constexpr double kFixedThreshold = 40.0;
-// Chance reached 70 once in eighty recordings of machines like their model; causes that are in no catalogue
-// 500 and more.
-constexpr double kLeastUnnamed = 150.0;
 constexpr double kUnseen = 60.0;  // structure that may hide in the noise
 // Of the excess. Shapes that are not the catalogue's leave up to a quarter, causes that are not in it leave
 // half and more.
 constexpr double kUnexplainedShare = 0.25;
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
-
-struct AxisOutcome {
-  AxisDiagnosis diagnosis;
-  Leftover leftover;
-  ChanceEvidence chance;
-  double parameter_evidence = 0.0;
-};
 
 bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
   if (axis == Axis::kSpindle)
@@ -114,37 +100,8 @@ class Diagnosis {
 
   void try_axis(Axis axis) {
     if (!is_evaluable(axis, signals_, machine_) || signals_.rows < kFewestRows) return;
-    const std::vector<AxisFit> starts = nominal_fits(AxisFit(axis, signals_, datasheet_));
-    if (starts.front().unlikeliness() == 0.0) return;  // no row could be used
-    AxisOutcome outcome = outcome_from(starts.front(), starts.front());
-    if (starts.size() > 1 && is_doubtful(outcome)) {
-      AxisOutcome other = outcome_from(starts.back(), starts.front());
-      if (other.diagnosis.cost() < outcome.diagnosis.cost()) outcome = std::move(other);
-    }
-    outcome.diagnosis.fit.attribute_load();
-    outcome.diagnosis.nominal.attribute_load();
-    weigh_datasheet(outcome);
-    outcomes_.push_back(std::move(outcome));
-  }
-
-  AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal) {
-    const auto on_progress = [&](double share) {
-      options_.on_progress(
-          start.axis() == Axis::kSpindle ? "effects of the spindle" : "effects of the feed axis", share);
-    };
-    AxisOutcome outcome{
-        search_effects(start, nominal, options_.excluded, kFixedThreshold, on_progress), {}, {}};
-    bootstrap(outcome);
-    drop_what_chance_explains(outcome);
-    outcome.leftover = leftover_of(outcome.diagnosis.fit, threshold_of(outcome));
-    return outcome;
-  }
-
-  /// Something is left, or it took many effects: perhaps the parameters that the search began with were not
-  /// the right ones.
-  static bool is_doubtful(const AxisOutcome& outcome) {
-    constexpr std::size_t kManyEffects = 3;
-    return outcome.leftover.gain >= kLeastUnnamed || outcome.diagnosis.found.size() >= kManyEffects;
+    if (auto outcome = outcome_of(axis, signals_, datasheet_, options_))
+      outcomes_.push_back(std::move(*outcome));
   }
 
   void look_for_jitter() {
@@ -160,54 +117,6 @@ class Diagnosis {
     });
   }
 
-  void bootstrap(AxisOutcome& outcome) {
-    const AxisDiagnosis& diagnosis = outcome.diagnosis;
-    int done = 0;
-    outcome.chance = chance_evidence(
-        diagnosis.fit, diagnosis.rest, diagnosis.others, options_.bootstrap_runs, options_.seed,
-        [&] { options_.on_progress("bootstrap", ++done / static_cast<double>(options_.bootstrap_runs)); });
-  }
-
-  static double threshold_of(const AxisOutcome& outcome) {
-    return std::max(outcome.diagnosis.least_evidence, outcome.chance.quantile99);
-  }
-
-  void drop_what_chance_explains(AxisOutcome& outcome) {
-    auto& found = outcome.diagnosis.found;
-    const double threshold = threshold_of(outcome);
-    const auto is_chance = [&](const Finding& f) {
-      return !(f.evidence >= outcome.diagnosis.needed(f, threshold));
-    };
-    if (std::none_of(found.begin(), found.end(), is_chance)) return;
-    std::vector<Finding> kept;
-    std::copy_if(found.begin(), found.end(), std::back_inserter(kept),
-                 [&](const Finding& f) { return !is_chance(f); });
-    found = std::move(kept);
-    if (found.empty()) {
-      outcome.diagnosis.fit = outcome.diagnosis.nominal;
-      return;
-    }
-    auto& effects = outcome.diagnosis.fit.model().effects;
-    effects.clear();
-    for (const Finding& finding : found) effects.push_back(finding.effect);
-    outcome.diagnosis.fit.settle();
-    for (std::size_t i = 0; i < found.size(); ++i) found[i].effect = outcome.diagnosis.fit.model().effects[i];
-  }
-
-  /// Deviance by which the datasheet's parameters are worse than the refitted ones.
-  void weigh_datasheet(AxisOutcome& outcome) const {
-    AxisFit datasheet = outcome.diagnosis.nominal;
-    datasheet.model().machine = datasheet_.machine;
-    const Eigen::MatrixXd wrong = datasheet.collect_with({}).total();
-    const GapStatistics statistics = outcome.diagnosis.nominal.collect_with({});
-    const Eigen::MatrixXd right = statistics.total();
-    const Eigen::Index y = right.cols() - 1;
-    if (!(right(y, y) > 0.0)) return;
-    const double freedom = static_cast<double>(parameter_count(datasheet.axis()));
-    outcome.parameter_evidence = statistics.total_rows() * std::log(wrong(y, y) / right(y, y)) -
-                                 freedom * std::log(statistics.total_rows());
-  }
-
   void judge() {
     double named = 0.0;
     double known = 0.0;
@@ -215,12 +124,12 @@ class Diagnosis {
     bool has_wrong_parameters = false;
     bool has_excitation = false;
     for (const AxisOutcome& outcome : outcomes_) {
-      result_.threshold_evidence = std::max(result_.threshold_evidence, threshold_of(outcome));
+      result_.threshold_evidence = std::max(result_.threshold_evidence, outcome.threshold());
       result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
       const double leftover = outcome.leftover.gain >= kLeastUnnamed ? outcome.leftover.gain : 0.0;
       unnamed += excess_of(leftover);
       result_.unexplained_evidence += outcome.leftover.gain;
-      named += excess_of(leftover + named_deviance(outcome)) - excess_of(leftover);
+      named += excess_of(leftover + outcome.named_deviance()) - excess_of(leftover);
       known += excess_of(std::max(outcome.diagnosis.known_evidence, 0.0));
       has_wrong_parameters |= outcome.parameter_evidence > kFixedThreshold;
       has_excitation |= is_excited(outcome.diagnosis.fit);
@@ -272,11 +181,6 @@ class Diagnosis {
     return channel == Channel::kSpindleSpeed ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
   }
 
-  static double named_deviance(const AxisOutcome& outcome) {
-    if (outcome.diagnosis.found.empty()) return 0.0;
-    return std::max(outcome.diagnosis.nominal.unlikeliness() - outcome.diagnosis.fit.unlikeliness(), 0.0);
-  }
-
   void rank() {
     if (result_.verdict == Verdict::kInsufficientExcitation) return;
     for (const SamplingFault& fault : faults_) {
@@ -298,7 +202,7 @@ class Diagnosis {
 
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
     const AxisFit& fit = outcome.diagnosis.fit;
-    const double all = excess_of(outcome.leftover.gain + named_deviance(outcome));
+    const double all = excess_of(outcome.leftover.gain + outcome.named_deviance());
     const double unnamed = all > 0.0 ? excess_of(outcome.leftover.gain) / all : 0.0;
     const double temperature = outcome.chance.temperature;
     EffectResult effect = named_effect(

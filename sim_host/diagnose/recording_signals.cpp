@@ -6,6 +6,7 @@ namespace morepro::host {
 namespace {
 
 constexpr double kWindingDegc = 25.0;
+constexpr double kSlowS = 0.02;  // a temperature's sensor is averaged over so long: no tool heats as fast
 
 }  // namespace
 
@@ -31,10 +32,10 @@ RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
 }
 
 FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first)
-    : signals_(signals), row_(first), winding_degc_(kWindingDegc) {
+    : signals_(signals), row_(first), winding_{.value = kWindingDegc} {
   input_.engagement = machine.feed.engagement;
   input_.chip_load_mm = machine.tool.chip_load_mm;
-  input_.tool_temperature_degc = machine.thermal.tool_degc;
+  tool_.value = machine.thermal.tool_degc;
   if (!signals.has(Channel::kContact)) return;
   for (std::size_t row = 0; row < first; ++row) {
     double contact = 0.0;
@@ -56,6 +57,14 @@ bool FrameSource::sampled(Channel channel, double& value) const {
   return true;
 }
 
+void FrameSource::follow(Channel channel, SlowSignal& signal) const {
+  double measured = 0.0;
+  if (!sampled(channel, measured)) return;
+  const double share = signal.is_measured ? 1.0 / (1.0 + kSlowS * signals_.rate_hz) : 1.0;
+  signal.value += share * (measured - signal.value);
+  signal.is_measured = true;
+}
+
 gap::GapFrame<double> FrameSource::next() {
   gap::GapFrame<double> frame;
   held(Channel::kArmatureVoltage, input_.armature_voltage_v);
@@ -63,11 +72,12 @@ gap::GapFrame<double> FrameSource::next() {
   held(Channel::kContact, input_.contact);
   held(Channel::kEngagement, input_.engagement);
   held(Channel::kChipLoad, input_.chip_load_mm);
-  held(Channel::kToolTemperature, input_.tool_temperature_degc);
-  held(Channel::kWindingTemperature, winding_degc_);
+  follow(Channel::kToolTemperature, tool_);
+  follow(Channel::kWindingTemperature, winding_);
+  input_.tool_temperature_degc = tool_.value;
   frame.time_s = signals_.time_s(row_);
   frame.input = input_;
-  frame.winding_degc = winding_degc_;
+  frame.winding_degc = winding_.value;
   frame.cutting_time_s = cutting_time_s_;
   frame.has_speed = sampled(Channel::kSpindleSpeed, frame.speed_rad_s);
   frame.has_current = sampled(Channel::kArmatureCurrent, frame.current_a);

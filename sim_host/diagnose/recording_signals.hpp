@@ -31,6 +31,13 @@ RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor);
 /// Turns the rows of a recording into what the observers take: held inputs stay where they are missing,
 /// quantities that were never recorded get the machine's own value.
 class FrameSource {
+  /// A temperature, freed of most of its sensor's noise: as a factor of a torque that would be taken for
+  /// something that follows the temperature.
+  struct SlowSignal {
+    double value = 0.0;
+    bool is_measured = false;
+  };
+
  public:
   /// Begins at row `first`.
   FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first);
@@ -42,12 +49,14 @@ class FrameSource {
  private:
   double held(Channel channel, double& value) const;
   bool sampled(Channel channel, double& value) const;
+  void follow(Channel channel, SlowSignal& signal) const;
 
   const RecordingSignals& signals_;
   std::size_t row_ = 0;
   double cutting_time_s_ = 0.0;
   PlantInput<double> input_;
-  double winding_degc_;
+  SlowSignal tool_;
+  SlowSignal winding_;
 };
 
 }  // namespace morepro::host

@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+
+#include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/bootstrap.hpp"
+#include "sim_host/diagnose/diagnosis.hpp"
+#include "sim_host/diagnose/leftover.hpp"
+
+namespace morepro::host {
+
+/// Evidence below which nothing is looked at, whatever chance makes of the recording.
+inline constexpr double kFixedThreshold = 40.0;
+/// Chance reached 70 once in eighty recordings of machines like their model; causes that are in no catalogue
+/// 500 and more.
+inline constexpr double kLeastUnnamed = 150.0;
+
+/// What is certain of one axis: effects that chance does not explain, and what is left without a name.
+struct AxisOutcome {
+  AxisDiagnosis diagnosis;
+  Leftover leftover{};
+  ChanceEvidence chance{};
+  double parameter_evidence = 0.0;  ///< deviance by which the datasheet's values are worse than the refitted
+
+  /// Evidence that a name needs here.
+  [[nodiscard]] double threshold() const;
+  /// Deviance that all names together take.
+  [[nodiscard]] double named_deviance() const;
+};
+
+/// Nothing where no row of the axis can be used.
+std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
+                                      const DiagnosisOptions& options);
+
+}  // namespace morepro::host
