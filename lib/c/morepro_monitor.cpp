@@ -16,7 +16,7 @@ using morepro::BoardMonitor;
 
 static_assert(MOREPRO_HYPOTHESES == morepro::kMonitorHypotheses);
 static_assert(sizeof(BoardMonitor) <= MOREPRO_MONITOR_BYTES, "MOREPRO_MONITOR_BYTES is too small");
-static_assert(MOREPRO_MONITOR_BYTES - sizeof(BoardMonitor) <= 512, "MOREPRO_MONITOR_BYTES wastes memory");
+static_assert(MOREPRO_MONITOR_BYTES <= sizeof(BoardMonitor) + 512, "MOREPRO_MONITOR_BYTES wastes memory");
 static_assert(alignof(BoardMonitor) <= alignof(decltype(morepro_monitor::private_memory)));
 static_assert(std::is_trivially_copyable_v<BoardMonitor>, "a copy of a morepro_monitor is a monitor");
 
