@@ -39,20 +39,22 @@ typedef struct morepro_monitor {
 /// Makes a monitor in `monitor`, or makes the one that is there forget everything and take another
 /// configuration. `refused_key`, unless NULL, is set to the name of the value that was refused ("" where
 /// there is none), for example "spindle.inertia_kgm2". Errors: those of the configuration (1 .. 99),
-/// MOREPRO_ERROR_UNKNOWN_CHOICE. After an error `monitor` is as it was. Takes about 1 KB of stack; not for
-/// interrupts.
+/// MOREPRO_ERROR_UNKNOWN_CHOICE. After an error `monitor` is as it was. Takes 3.1 KB of stack on a
+/// Cortex-M4F and thousands of instructions: not for interrupts.
 morepro_error morepro_monitor_create(morepro_monitor* monitor, const morepro_configuration* configuration,
                                      const char** refused_key);
 
 /// One frame in, one answer out. A frame that is late, double or wrong is no error: frame_flags and
-/// rejected_channels of the answer say what was not used. Bounded time; may run in an interrupt.
+/// rejected_channels of the answer say what was not used. Bounded time, 976 B of stack on a Cortex-M4F; may
+/// run in an interrupt.
 morepro_error morepro_monitor_step(morepro_monitor* monitor, const morepro_frame* frame,
                                    morepro_health* health);
 
 /// The last answer again; zeros before the first frame.
 morepro_error morepro_monitor_health(const morepro_monitor* monitor, morepro_health* health);
 
-/// Forgets everything measured so far and keeps the configuration.
+/// Forgets everything measured so far and keeps the configuration. As long as creating one; not for
+/// interrupts.
 morepro_error morepro_monitor_reset(morepro_monitor* monitor);
 
 /// Somebody changed the tool: its wear starts anew.

@@ -83,6 +83,15 @@ class Subdirectory(ConsumerTest):
         self.assertEqual(list((self.folder / "installed").rglob("*morepro*")), [])
 
 
+class LibraryOnly(ConsumerTest):
+    def test_installing_it_takes_no_program_and_no_tests(self):
+        self.must_do(CMAKE, "-G", "Ninja", "-S", PROJECT, "-B", self.folder, "-DMOREPRO_LIBRARY_ONLY=ON")
+        targets = self.must_do(CMAKE, "--build", self.folder, "--target", "help")
+        self.assertIn("libmorepro.a", targets)
+        self.assertNotIn("unit_tests", targets)
+        self.assertNotIn("morepro_host", targets)
+
+
 class FileList(ConsumerTest):
     def test_four_files_and_their_flags_are_enough(self):
         self.must_do(HERE / "file_list/build.sh", PROJECT, EIGEN, self.program)
