@@ -26,7 +26,7 @@ set_tests_properties(recording.short PROPERTIES FIXTURES_SETUP recording_short T
 
 add_test(NAME target.stack COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/tests/budget/stack_test.py"
   ${MOREPRO_BOARD} $<TARGET_FILE:replay> "${frames}" "${CMAKE_BINARY_DIR}/firmware/CMakeFiles/replay.dir"
-  "${CMAKE_BINARY_DIR}/lib")
+  "${CMAKE_BINARY_DIR}/lib/CMakeFiles")
 set_tests_properties(target.stack PROPERTIES FIXTURES_REQUIRED recording_short TIMEOUT 150)
 
 if(TARGET count)
