@@ -1,10 +1,14 @@
-# Flags that decide what the numbers are, and the warnings of our own code.
+# Flags that decide what the numbers are, and the warnings of our own code. Both stay ours: other projects get
+# -ffp-contract=off where they compile our headers (toolchains/package.cmake), and nothing else.
 # -ffp-contract=off: one rounding per operation, so that every machine gives the same bits.
 # -fno-math-errno, -fno-trapping-math: let loops be vectorised; they change no result.
+set(MOREPRO_NUMBER_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math)
+set(MOREPRO_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror)
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
 add_library(morepro_flags INTERFACE)
-target_compile_options(morepro_flags INTERFACE
-  -ffp-contract=off -fno-math-errno -fno-trapping-math
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror)
+target_compile_options(morepro_flags INTERFACE ${MOREPRO_NUMBER_FLAGS} ${MOREPRO_WARNINGS})
 
 option(MOREPRO_AVX2 "Use AVX2 on hosts that have it (the bits stay the same)" ON)
 if(MOREPRO_AVX2 AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64" AND NOT CMAKE_CROSSCOMPILING)

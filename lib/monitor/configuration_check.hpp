@@ -101,11 +101,16 @@ inline ConfigurationResult check_sensors(const Sensors& sensors) {
   return {};
 }
 
-inline ConfigurationResult check_ranges(const MonitorConfiguration& c, std::size_t capacity) {
+inline ConfigurationResult check_temperatures(const MachineParameters::Thermal& thermal) {
   using enum ConfigurationError;
-  const auto& thermal = c.machine.thermal;
   if (!is_finite(thermal.tool_degc)) return {kNotFinite, "thermal.tool_degc"};
   if (!(thermal.melting_degc > thermal.reference_degc)) return {kThermalRange, "thermal.melting_degc"};
+  return {};
+}
+
+inline ConfigurationResult check_ranges(const MonitorConfiguration& c, std::size_t capacity) {
+  using enum ConfigurationError;
+  if (const auto result = check_temperatures(c.machine.thermal); !result.ok()) return result;
   if (!(c.sampling.rate_hz >= 100.0 && c.sampling.rate_hz <= 20000.0))
     return {kSamplingRate, "sampling.rate_hz"};
   if (!(c.tuning.switch_probability > 0.0 && c.tuning.switch_probability < 1.0))
@@ -149,6 +154,15 @@ inline ConfigurationResult check_effects(const MonitorConfiguration& c) {
 /// Is one effect such that a monitor at this sampling rate can take it out of its frames?
 inline ConfigurationResult check_effect(const gap::AppliedEffect& effect, double rate_hz) {
   return detail::check_effect(effect, rate_hz);
+}
+
+/// Is every value of a machine possible?
+inline ConfigurationResult check(const MachineParameters& machine) {
+  MonitorConfiguration configuration;
+  configuration.machine = machine;
+  if (const auto result = detail::check_positive(configuration); !result.ok()) return result;
+  if (const auto result = detail::check_not_negative(configuration); !result.ok()) return result;
+  return detail::check_temperatures(machine.thermal);
 }
 
 /// Is every value of a configuration possible? `capacity`: hypotheses that the bank can hold. Returns the

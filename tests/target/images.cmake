@@ -11,6 +11,13 @@ morepro_image_test(unit 300)
 if(TARGET watchdog)
   morepro_image_test(watchdog 60)
 endif()
+
+include(board_image)
+set(firmware "${PROJECT_SOURCE_DIR}/firmware")
+morepro_board_image(c_interface SOURCES c_interface/main.c "${firmware}/semihosting/semihost.cpp"
+  "${firmware}/semihosting/panic_exit.cpp" LIBRARIES morepro_c SEMIHOSTING)
+morepro_image_test(c_interface 60)
+
 # Long enough for more than one round of the work on the gap, in contact from a quarter of it on.
 set(frames "${CMAKE_CURRENT_BINARY_DIR}/short.mrec")
 add_test(NAME recording.short COMMAND "${Python3_EXECUTABLE}" "${target_scripts}/synthetic_recording.py" 24000
@@ -19,7 +26,7 @@ set_tests_properties(recording.short PROPERTIES FIXTURES_SETUP recording_short T
 
 add_test(NAME target.stack COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/tests/budget/stack_test.py"
   ${MOREPRO_BOARD} $<TARGET_FILE:replay> "${frames}" "${CMAKE_BINARY_DIR}/firmware/CMakeFiles/replay.dir"
-  "${CMAKE_BINARY_DIR}/lib")
+  "${CMAKE_BINARY_DIR}/lib/CMakeFiles")
 set_tests_properties(target.stack PROPERTIES FIXTURES_REQUIRED recording_short TIMEOUT 150)
 
 if(TARGET count)
