@@ -16,6 +16,8 @@ void add_identify(CLI::App& program);
 void add_effects(CLI::App& program);
 void add_kinematics(CLI::App& program);
 void add_thesis(CLI::App& program);
+void add_bench(CLI::App& program);
+void add_completion(CLI::App& program);
 
 /// A number in [lowest, highest]; NaN is refused as well.
 CLI::Validator between(double lowest, double highest, const std::string& unit);

@@ -49,6 +49,8 @@ int run(int argc, char** argv) {
   morepro::host::add_effects(program);
   morepro::host::add_kinematics(program);
   morepro::host::add_thesis(program);
+  morepro::host::add_bench(program);
+  morepro::host::add_completion(program);
   const std::string_view word = argc > 1 ? argv[1] : "-";
   if (word == "help") {
     fmt::print("{}", program.help());

@@ -21,6 +21,9 @@ constexpr std::size_t kMostEffects = 4;
 constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
 constexpr double kBent = 0.6;        // relative deviation of a parameter that no datasheet has
+// Standard error over size. What is worth its evidence is known to a seventh; a size that is not known at all
+// let the parameters settle elsewhere, and that was its worth.
+constexpr double kVague = 0.5;
 constexpr double kLeastShareOfFamily = 0.08;
 constexpr double kLeastShare = 0.01;  // of the best effect's evidence
 
@@ -278,7 +281,8 @@ class Search {
         diagnosis_.nominal = without;
       const double best = is_nominal ? diagnosis_.nominal.unlikeliness() : without.unlikeliness();
       const double evidence = best - fit_.unlikeliness();
-      diagnosis_.found[i].evidence = std::isfinite(evidence) ? evidence : 0.0;
+      const bool is_known = fit_.relative_error_of(diagnosis_.found[i].effect.form.effect) < kVague;
+      diagnosis_.found[i].evidence = std::isfinite(evidence) && is_known ? evidence : 0.0;
     }
   }
 

@@ -15,9 +15,9 @@ namespace morepro::host {
 namespace {
 
 constexpr int kMostSteps = 8;
-constexpr std::array kDampings{0.0, 0.1, 1.0, 10.0, 100.0};
+constexpr std::array kDampings{0.0, 1.0, 30.0};
 constexpr double kSettledRound = 5.0;  // deviance that a round of noise and parameters gains
-constexpr double kSettled = 1.0;       // chi-square that a further step would gain
+constexpr double kSettled = 4.0;       // chi-square that a further step would gain
 constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
 
 /// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.

@@ -61,11 +61,14 @@ AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const Dia
   return outcome;
 }
 
-/// Something is left, or it took many effects: perhaps the parameters that the search began with were not the
-/// right ones.
+/// A good deal is left, or it took many effects: perhaps the parameters that the search began with were not
+/// the right ones.
 bool is_doubtful(const AxisOutcome& outcome) {
   constexpr std::size_t kManyEffects = 3;
-  return outcome.leftover.gain >= kLeastUnnamed || outcome.diagnosis.found.size() >= kManyEffects;
+  constexpr double kGoodDeal = 0.1;  // of everything, in deviance
+  const double left = outcome.leftover.gain;
+  const bool is_left = left >= kLeastUnnamed && left > kGoodDeal * (left + outcome.named_deviance());
+  return is_left || outcome.diagnosis.found.size() >= kManyEffects;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace morepro::host {
 namespace {
 
 constexpr double kWindingDegc = 25.0;
-constexpr double kSlowS = 0.02;  // a temperature's sensor is averaged over so long: no tool heats as fast
+constexpr double kSlowS = 0.004;  // a temperature's sensor is averaged over so long: no tool heats as fast
 
 }  // namespace
 
