@@ -263,7 +263,7 @@ TEST(DerivativeIdentification, ConstantInputsTellCombinationsOnlyAndNothingDrift
   EXPECT_NE(found->information(Parameter::kMass), Information::kAlone);
   EXPECT_NE(found->information(Parameter::kContactForce), Information::kAlone);
   EXPECT_EQ(found->partner(Parameter::kMass), Parameter::kContactForce);
-  run(2000000);
+  run(10000000);
   for (std::size_t j = 0; j < kParameterCount; ++j)
     EXPECT_NEAR(double(found->filter().value(static_cast<Parameter>(j))) / before[j], 1.0, 0.01) << j;
 }
