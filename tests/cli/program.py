@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parent.parent
 PROGRAM = os.environ.get("MOREPRO", str(PROJECT / "build/host/bin/morepro"))
 SHARED = pathlib.Path(os.environ.get("MOREPRO_SHARED_DIR", PROJECT.parent / "shared"))
-TIME_LIMIT_S = 120
+TIME_LIMIT_S = 240
 
 
 class ProgramTest(unittest.TestCase):
