@@ -105,7 +105,7 @@ class Verdicts(Diagnose):
 
 class HalfAMachine(Diagnose):
     def test_a_feed_axis_alone(self):
-        self.simulate("--effect", "feed_coulomb_friction=6")
+        self.simulate("--effect", "feed_coulomb_friction=6", duration=3)
         self.keep_columns("feed_force_n", "feed_speed_m_s", "contact")
         result = self.diagnose(recording="part.csv")
         self.assertIn("feed_coulomb_friction", result["which"][0]["alias_set"])
