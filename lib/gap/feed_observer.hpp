@@ -94,17 +94,16 @@ class FeedObserver {
     const EffectSignals<Real> signals = signals_of(frame, observer_.mean(0), observer_.mean(1));
     shown_ = terms_.applied(signals, true);
     terms_.for_each(signals, true, [this](std::size_t j, const Contribution<Real>& c) {
-      second_[kFeedParameters + j] = c.feed_speed_m_s;
+      on_speed_[kFeedParameters + j] = c.feed_speed_m_s;
     });
-    for (std::size_t j = 0; j < kFeedParameters; ++j) second_[j] = Real(0);
-    first_.fill(Real(0));
+    for (std::size_t j = 0; j < kFeedParameters; ++j) on_speed_[j] = Real(0);
     if (frame.has_feed_position)
       observer_.template update<0>(frame.feed_position_m - origin_m_ - observer_.mean(0),
-                                   noise_.doubt(frame.time_s) * noise_.feed_position_variance, first_,
+                                   noise_.doubt(frame.time_s) * noise_.feed_position_variance, no_position_,
                                    rows.position);
     if (frame.has_feed_speed)
       observer_.template update<1>(frame.feed_speed_m_s - shown_.feed_speed_m_s - observer_.mean(1),
-                                   noise_.doubt(frame.time_s) * noise_.feed_speed_variance, second_,
+                                   noise_.doubt(frame.time_s) * noise_.feed_speed_variance, on_speed_,
                                    rows.speed);
     driven_m_s_ += Real(kDrivenLeak) * (observer_.mean(1) - driven_m_s_);
   }
@@ -134,20 +133,19 @@ class FeedObserver {
     const math::BasicMatrix2<Real> psi{integral_.a00, integral_.a01, after.slope * integral_.a10,
                                        after.slope * integral_.a11};
     driven_m_s_ += after.value - observer_.mean(1);
-    observer_.predict(x + dx + integral_.a01 * rate_added, after.value, phi, psi, process_noise_, first_,
-                      second_);
+    observer_.predict(x + dx + integral_.a01 * rate_added, after.value, phi, psi, process_noise_,
+                      no_position_, on_speed_);
   }
 
   void load_columns(const EffectSignals<Real>& s, Real acceleration_m_s2, const PlantInput<Real>& input) {
     const auto& k = terms_.scales();
     const Real per_mass = Real(1) / k.mass_kg;
-    first_.fill(Real(0));
-    second_[0] = -acceleration_m_s2;
-    second_[1] = -k.feed_viscous_friction_ns_m * s.feed_speed_m_s * per_mass;
-    second_[2] = -input.contact * per_mass;
-    second_[3] = -input.contact * (input.engagement - Real(1)) * per_mass;
+    on_speed_[0] = -acceleration_m_s2;
+    on_speed_[1] = -k.feed_viscous_friction_ns_m * s.feed_speed_m_s * per_mass;
+    on_speed_[2] = -input.contact * per_mass;
+    on_speed_[3] = -input.contact * (input.engagement - Real(1)) * per_mass;
     terms_.for_each(s, false, [&](std::size_t j, const Contribution<Real>& c) {
-      second_[kFeedParameters + j] = c.force_n * per_mass;
+      on_speed_[kFeedParameters + j] = c.force_n * per_mass;
     });
   }
 
@@ -177,8 +175,9 @@ class FeedObserver {
   math::BasicMatrix2<Real> exp_{};
   math::BasicMatrix2<Real> integral_{};
   Observer observer_;
-  typename Observer::Columns first_{};
-  typename Observer::Columns second_{};
+  typename Observer::Columns
+      no_position_{};  ///< always zero: nothing acts on the position but through the speed
+  typename Observer::Columns on_speed_{};
   Real origin_m_ = 0;
   Real driven_m_s_ = 0;
   Real spindle_speed_rad_s_ = 0;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "lib/gap/dry_friction.hpp"
 #include "sim_host/diagnose/candidate_forms.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
+#include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
 namespace {
@@ -25,7 +27,6 @@ constexpr double kBent = 0.6;        // relative deviation of a parameter that n
 // let the parameters settle elsewhere, and that was its worth.
 constexpr double kVague = 0.5;
 constexpr double kLeastShareOfFamily = 0.08;
-constexpr double kLeastShare = 0.01;  // of the best effect's evidence
 
 /// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
 /// delay has no such beginning; it starts with the size that was found.
@@ -127,32 +128,60 @@ class Search {
   /// linearisation does not tell a delay from a lag. Returns the fit of the best, which is then in front.
   AxisFit duel(std::vector<Candidate>& ranked) const {
     const double before = fit_.unlikeliness();
-    std::vector<Trial> trials;
     const double promised_most = ranked.front().evidence;
+    std::vector<Trial> trials = sure_trials(ranked);
+    const std::size_t sure = trials.size();
     double best = 0.0;
     double kept = 1.0;  // of what the linearisation promised to the best
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       Candidate& rival = ranked[i];
-      if (!is_worth_a_trial(rival, trials.size(), std::min(best, promised_most))) {
-        rival.evidence *= kept;
-        continue;
+      if (i >= sure) {
+        if (!is_worth_a_trial(rival, trials.size(), std::min(best, promised_most))) {
+          rival.evidence *= kept;
+          continue;
+        }
+        trials.push_back(trial_of(rival));
       }
       const double promised = rival.evidence;
-      rival = refined(fit_, rival);
-      AxisFit trial = fitted_with(rival);
-      if (has_blurred_shape(rival.form.effect)) sharpen(trial);
-      if (rival.onset_s > 0.0) place_onset(trial);
-      rival.evidence = before - trial.unlikeliness() - freedom_cost(trial, trial.model().effects.back());
+      const Trial& trial = i < sure ? trials[i] : trials.back();
+      rival = trial.candidate;
+      rival.evidence =
+          before - trial.fit.unlikeliness() - freedom_cost(trial.fit, trial.fit.model().effects.back());
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
-      rival.form = trial.model().effects.back().form;
       if (rival.evidence > best) kept = rival.evidence / promised;
       best = std::max(best, rival.evidence);
-      trials.emplace_back(rival.form.effect, std::move(trial));
     }
     std::sort(ranked.begin(), ranked.end(), by_evidence);
     put_plain_first(ranked, trials);
     const AxisFit* winner = fit_of(trials, ranked.front());
     return winner != nullptr ? *winner : fit_;
+  }
+
+  /// An effect in the model, with everything refitted.
+  struct Trial {
+    Candidate candidate;
+    AxisFit fit;
+  };
+
+  Trial trial_of(const Candidate& rival) const {
+    Trial trial{refined(fit_, rival), fit_};
+    trial.fit = fitted_with(trial.candidate);
+    if (has_blurred_shape(rival.form.effect)) sharpen(trial.fit);
+    if (rival.onset_s > 0.0) place_onset(trial.fit);
+    trial.candidate.form = trial.fit.model().effects.back().form;
+    return trial;
+  }
+
+  /// Those that get a trial whatever the others turn out to be worth, side by side.
+  std::vector<Trial> sure_trials(const std::vector<Candidate>& ranked) const {
+    const double enough = std::max(kNearlyAsGood * ranked.front().evidence, diagnosis_.least_evidence);
+    std::size_t count = 0;
+    while (count < std::min(kMostRivals, ranked.size()) && ranked[count].evidence >= enough) ++count;
+    std::vector<std::optional<Trial>> trials(count);
+    in_parallel(count, [&](std::size_t i) { trials[i] = trial_of(ranked[i]); });
+    std::vector<Trial> done;
+    for (auto& trial : trials) done.push_back(std::move(*trial));
+    return done;
   }
 
   /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn.
@@ -198,14 +227,14 @@ class Search {
   /// The model with one effect more. Parameters that had to bend to what was missing are a bad beginning:
   /// then from the datasheet's too.
   AxisFit fitted_with(const Candidate& candidate) const {
-    AxisFit trial = fit_;
-    trial.model().effects.push_back(beginning_of(candidate));
-    trial.settle(kDuelRounds);
-    if (!is_bent()) return trial;
-    AxisFit anew = at_datasheet();
-    anew.model().effects.push_back(beginning_of(candidate));
-    anew.settle(kDuelRounds);
-    return anew.unlikeliness() < trial.unlikeliness() ? anew : trial;
+    std::vector<AxisFit> trials{fit_};
+    if (is_bent()) trials.push_back(at_datasheet());
+    in_parallel(trials.size(), [&](std::size_t i) {
+      trials[i].model().effects.push_back(beginning_of(candidate));
+      trials[i].settle(kDuelRounds);
+    });
+    const bool is_better_anew = trials.back().unlikeliness() < trials.front().unlikeliness();
+    return is_better_anew ? trials.back() : trials.front();
   }
 
   /// The shape of the newest effect, once it acts in the model: before, the sensors' noise blurs it.
@@ -244,10 +273,9 @@ class Search {
     trial.settle(1);
   }
 
-  using Trial = std::pair<gap::Effect, AxisFit>;
   static const AxisFit* fit_of(const std::vector<Trial>& trials, const Candidate& candidate) {
     for (const Trial& trial : trials)
-      if (trial.first == candidate.form.effect) return &trial.second;
+      if (trial.candidate.form.effect == candidate.form.effect) return &trial.fit;
     return nullptr;
   }
 
@@ -272,10 +300,14 @@ class Search {
   /// How much each effect is worth beside the others. Without the only one it is the nominal model, which may
   /// settle better from here than from the datasheet.
   void weigh() {
-    for (std::size_t i = 0; i < diagnosis_.found.size(); ++i) {
-      AxisFit without = fit_;
-      without.model().effects.erase(without.model().effects.begin() + static_cast<std::ptrdiff_t>(i));
-      without.settle(kDuelRounds);
+    std::vector<AxisFit> all_without(diagnosis_.found.size(), fit_);
+    in_parallel(all_without.size(), [&all_without](std::size_t i) {
+      auto& effects = all_without[i].model().effects;
+      effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(i));
+      all_without[i].settle(kDuelRounds);
+    });
+    for (std::size_t i = 0; i < all_without.size(); ++i) {
+      const AxisFit& without = all_without[i];
       const bool is_nominal = without.model().effects.empty();
       if (is_nominal && without.unlikeliness() < diagnosis_.nominal.unlikeliness())
         diagnosis_.nominal = without;

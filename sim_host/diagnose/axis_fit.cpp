@@ -30,6 +30,58 @@ int directions_known(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& p
 
 bool is_pure_shape(const gap::EffectForm& form) { return gap::size_is_shape(form.effect) && form.parts == 1; }
 
+/// Columns of the effects in a model: what a little more of each part would change. Of a lag or a delay that
+/// is the difference of a longer and a shorter one, relative to its length: what the whole of it does has
+/// another shape, and steps along it crawl.
+class SizeColumns {
+ public:
+  explicit SizeColumns(const std::vector<gap::AppliedEffect>& effects) {
+    for (const gap::AppliedEffect& effect : effects) {
+      if (is_pure_shape(effect.form)) {
+        add_difference(effect);
+        continue;
+      }
+      add(effect.form, effect.onset_s);
+      for (int part = 0; part < effect.form.parts; ++part) weights_.push_back({1.0});
+    }
+  }
+
+  [[nodiscard]] Disturbances disturbances() const { return {forms_, onset_s_}; }
+
+  /// Moments [parameters | one column per size | innovation] from those of the disturbances.
+  [[nodiscard]] Eigen::MatrixXd of(const Eigen::MatrixXd& moments, std::size_t parameters) const {
+    const auto first = static_cast<Eigen::Index>(parameters);
+    const auto sizes = static_cast<Eigen::Index>(weights_.size());
+    Eigen::MatrixXd combine = Eigen::MatrixXd::Zero(moments.rows(), first + sizes + 1);
+    combine.topLeftCorner(first, first).setIdentity();
+    combine(moments.rows() - 1, first + sizes) = 1.0;
+    Eigen::Index row = first;
+    for (Eigen::Index j = 0; j < sizes; ++j)
+      for (const double weight : weights_[static_cast<std::size_t>(j)]) combine(row++, first + j) = weight;
+    return combine.transpose() * moments * combine;
+  }
+
+ private:
+  void add(const gap::EffectForm& form, double onset_s) {
+    forms_.push_back(form);
+    onset_s_.push_back(onset_s);
+  }
+  void add_difference(const gap::AppliedEffect& effect) {
+    constexpr float kLittle = 0.05F;
+    for (const float factor : {1.0F + kLittle, 1.0F - kLittle}) {
+      gap::EffectForm form = effect.form;
+      form.shape *= factor;
+      add(form, effect.onset_s);
+    }
+    const double per_change = 0.5 / static_cast<double>(kLittle);
+    weights_.push_back({per_change, -per_change});
+  }
+
+  std::vector<gap::EffectForm> forms_;
+  std::vector<double> onset_s_;
+  std::vector<std::vector<double>> weights_;  ///< of each size's disturbances
+};
+
 }  // namespace
 
 AxisFit::AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet)
@@ -111,9 +163,8 @@ void AxisFit::take_sizes(const Eigen::VectorXd& step) {
   for (gap::AppliedEffect& effect : model_.effects) {
     for (std::size_t part = 0; part < effect.form.parts; ++part) {
       const double change = step(next++);
-      // A little more of a lag or a delay is a little longer one.
       if (is_pure_shape(effect.form))
-        effect.form.shape *= static_cast<float>(std::clamp(1.0 + change, 0.5, 2.0));
+        effect.form.shape *= static_cast<float>(std::clamp(std::exp(change), 0.5, 2.0));
       else
         effect.coefficient[part] += change;
     }
@@ -160,16 +211,12 @@ double AxisFit::relative_error_of(gap::Effect effect) const {
 }
 
 AxisFit::Trial AxisFit::tried() const {
-  std::vector<gap::EffectForm> forms;
-  std::vector<double> onset_s;
-  for (const gap::AppliedEffect& effect : model_.effects) {
-    forms.push_back(effect.form);
-    onset_s.push_back(effect.onset_s);
-  }
-  Trial trial{.statistics = collect_with({forms, onset_s}), .moments = {}};
-  trial.moments = trial.statistics.total();
+  const SizeColumns sizes(model_.effects);
+  Trial trial{.statistics = collect_with(sizes.disturbances()), .moments = {}};
+  const Eigen::MatrixXd moments = trial.statistics.total();
+  if (moments.cols() == 0) return trial;
+  trial.moments = sizes.of(moments, parameter_count(axis_));
   const Eigen::Index width = trial.moments.cols();
-  if (width == 0) return trial;
   trial.cost = trial.moments(width - 1, width - 1) + precision(width).dot(target(width).cwiseAbs2());
   return trial;
 }

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <mutex>
+#include <optional>
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
@@ -18,6 +21,7 @@
 #include "sim_host/diagnose/shrinkage.hpp"
 #include "sim_host/diagnose/where.hpp"
 #include "sim_host/simulate/operating_point.hpp"
+#include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
 namespace {
@@ -58,7 +62,7 @@ class Diagnosis {
                   .noise = usual_noise(sensors)};
     for (const auto& effect : machine_.effects)
       datasheet_.known.push_back(gap::restated(effect, file_scales(), recording_scales()));
-    for (const Axis axis : {Axis::kSpindle, Axis::kFeed}) try_axis(axis);
+    try_axes();
     look_for_jitter();
     leave_out_excluded_faults();
     judge();
@@ -98,16 +102,34 @@ class Diagnosis {
     if (is_position_only && factor > 1) signals_ = thinned(signals_, factor);
   }
 
-  void try_axis(Axis axis) {
-    if (!is_evaluable(axis, signals_, machine_) || signals_.rows < kFewestRows) return;
-    if (auto outcome = outcome_of(axis, signals_, datasheet_, options_))
-      outcomes_.push_back(std::move(*outcome));
+  void try_axes() {
+    std::mutex one_at_a_time;
+    DiagnosisOptions options = options_;
+    options.on_progress = [&](std::string_view stage, double share) {
+      const std::lock_guard lock(one_at_a_time);
+      options_.on_progress(stage, share);
+    };
+    constexpr std::array kAxes{Axis::kSpindle, Axis::kFeed};
+    std::array<std::optional<AxisOutcome>, kAxes.size()> outcomes;
+    in_parallel(kAxes.size(), [&](std::size_t i) {
+      if (is_evaluable(kAxes[i], signals_, machine_) && signals_.rows >= kFewestRows)
+        outcomes[i] = outcome_of(kAxes[i], signals_, datasheet_, options);
+    });
+    for (auto& outcome : outcomes)
+      if (outcome) outcomes_.push_back(std::move(*outcome));
   }
 
   void look_for_jitter() {
     std::vector<const AxisFit*> fits;
     for (const AxisOutcome& outcome : outcomes_) fits.push_back(&outcome.diagnosis.fit);
-    if (const auto jitter = find_jitter(fits)) faults_.push_back(*jitter);
+    const auto jitter = find_jitter(fits);
+    if (jitter && jitter->evidence >= kLeastShare * named_deviance()) faults_.push_back(*jitter);
+  }
+
+  double named_deviance() const {
+    double sum = 0.0;
+    for (const AxisOutcome& outcome : outcomes_) sum += outcome.named_deviance();
+    return sum;
   }
 
   void leave_out_excluded_faults() {

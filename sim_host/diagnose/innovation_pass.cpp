@@ -4,6 +4,7 @@
 
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/spindle_observer.hpp"
+#include "sim_host/support/tiny_numbers.hpp"
 
 namespace morepro::host {
 namespace {
@@ -115,6 +116,7 @@ std::size_t parameter_count(Axis axis) {
 void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& model,
                   const Disturbances& disturbances, std::size_t first, std::size_t last,
                   const OnInnovation& on_innovation) {
+  const NoTinyNumbers guard;
   const auto run = axis == Axis::kSpindle ? run_spindle : run_feed;
   run(signals, model, disturbances, first, last, on_innovation);
 }
