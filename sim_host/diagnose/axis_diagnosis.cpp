@@ -231,7 +231,7 @@ class Search {
     if (is_bent()) trials.push_back(at_datasheet());
     in_parallel(trials.size(), [&](std::size_t i) {
       trials[i].model().effects.push_back(beginning_of(candidate));
-      trials[i].settle(kDuelRounds);
+      trials[i].settle(kDuelRounds, fit_.unlikeliness());
     });
     const bool is_better_anew = trials.back().unlikeliness() < trials.front().unlikeliness();
     return is_better_anew ? trials.back() : trials.front();

@@ -18,6 +18,8 @@ constexpr int kMostSteps = 8;
 constexpr std::array kDampings{0.0, 1.0, 30.0};
 constexpr double kSettledRound = 5.0;  // deviance that a round of noise and parameters gains
 constexpr double kSettled = 4.0;       // chi-square that a further step would gain
+constexpr double kHopeless = 0.01;     // deviance per row that another round does not make up for
+constexpr double kCrawl = 0.02;        // share of its promise that a step keeps where another one is no use
 constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
 
 /// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.
@@ -233,16 +235,20 @@ bool AxisFit::improve(Trial& best) {
   const auto parameters = static_cast<Eigen::Index>(parameter_count(axis_));
   known_directions_ = directions_known(unit * solution.covariance.topLeftCorner(parameters, parameters),
                                        precision(width).head(parameters));
-  if (!((best.cost - solution.rss) / unit > kSettled)) return false;
+  const double promised = best.cost - solution.rss;
+  if (!(promised > kSettled * unit)) return false;
   const GapModel start = model_;
-  for (const double damping : kDampings) {
+  for (; best.damping < kDampings.size(); ++best.damping) {
     model_ = start;
-    take(step_of(best.moments, active, damping));
+    take(step_of(best.moments, active, kDampings[best.damping]));
     Trial trial = tried();
-    if (!(trial.cost < best.cost)) continue;
-    const bool is_worth_more = best.cost - trial.cost > kSettled * unit;
+    const double gained = best.cost - trial.cost;
+    if (!(gained > 0.0)) continue;
+    // Where the linearisation held, the next step may be bolder.
+    const bool has_held = gained > 0.5 * promised;
+    trial.damping = has_held && best.damping > 0 ? best.damping - 1 : best.damping;
     best = std::move(trial);
-    return is_worth_more;
+    return gained > std::max(kSettled * unit, kCrawl * promised);
   }
   model_ = start;
   return false;
@@ -286,7 +292,7 @@ void AxisFit::refit_with_this_noise() {
 
 // Noise that was fitted to wrong parameters hides how wrong they are: in turns, until nothing is gained.
 // The noise is searched for on some stretches only, so that a round may make it worse; the best one counts.
-void AxisFit::settle(int most_rounds) {
+void AxisFit::settle(int most_rounds, double rival) {
   constexpr int kMostInVain = 2;
   AxisFit best = *this;
   best.unlikeliness_ = std::numeric_limits<double>::infinity();
@@ -297,6 +303,7 @@ void AxisFit::settle(int most_rounds) {
     if (!std::isfinite(unlikeliness_)) break;
     in_vain = unlikeliness_ < best.unlikeliness_ - kSettledRound ? 0 : in_vain + 1;
     if (unlikeliness_ < best.unlikeliness_) best = *this;
+    if (best.unlikeliness_ > rival + kHopeless * static_cast<double>(signals_->rows)) break;
   }
   *this = std::move(best);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 
 #include "sim_host/diagnose/gap_model.hpp"
 #include "sim_host/diagnose/gap_statistics.hpp"
@@ -21,8 +22,9 @@ class AxisFit {
 
   /// Fits the process noise alone.
   void match_noise();
-  /// Fits process noise, parameters and the sizes of the model's effects, in turns.
-  void settle(int most_rounds = 6);
+  /// Fits process noise, parameters and the sizes of the model's effects, in turns; no longer than it takes
+  /// to see that it will not become likelier than `rival`.
+  void settle(int most_rounds = 6, double rival = std::numeric_limits<double>::infinity());
   /// The same without the process noise.
   void refit();
   /// The same without the whitening either: what is compared must be judged alike.
@@ -70,7 +72,8 @@ class AxisFit {
   struct Trial {
     GapStatistics statistics;
     Eigen::MatrixXd moments;
-    double cost = 0.0;  ///< squares of the innovations and of the prior
+    double cost = 0.0;        ///< squares of the innovations and of the prior
+    std::size_t damping = 0;  ///< that the next step begins with
   };
   [[nodiscard]] Trial tried() const;
   bool improve(Trial& best);

@@ -74,7 +74,7 @@ constexpr std::size_t kShift = 750;
 /// Shows a recording to a watch whose first stretch begins at row `first`.
 void show(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
           Watch& watch) {
-  FrameSource frames(signals, machine, 0);
+  FrameSource frames(signals, machine, 0, FrameSource::Temperatures::kAsRecorded);
   while (frames.row() < signals.rows) {
     const std::size_t row = frames.row();
     gap::GapFrame<float> frame = rounded(frames.next());

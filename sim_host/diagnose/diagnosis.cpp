@@ -57,6 +57,7 @@ class Diagnosis {
     thin_out();
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
+    calm_temperatures(signals_);
     datasheet_ = {.machine = machine_.configuration.machine,
                   .point = reference_point_for(machine_, signals_),
                   .noise = usual_noise(sensors)};

@@ -1,14 +1,40 @@
 #include "sim_host/diagnose/recording_signals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace morepro::host {
 namespace {
 
 constexpr double kWindingDegc = 25.0;
-constexpr double kSlowS = 0.004;  // a temperature's sensor is averaged over so long: no tool heats as fast
+constexpr double kCalmS = 0.004;  // over so long before and after a sample a temperature is averaged
+
+/// Means over up to `reach` samples on either side, the same number of both.
+std::vector<float> calm(const std::vector<float>& value, std::size_t reach) {
+  std::vector<double> sum(value.size() + 1, 0.0);
+  std::vector<std::uint32_t> count(value.size() + 1, 0);
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const bool is_sample = !std::isnan(value[i]);
+    sum[i + 1] = sum[i] + (is_sample ? static_cast<double>(value[i]) : 0.0);
+    count[i + 1] = count[i] + (is_sample ? 1 : 0);
+  }
+  std::vector<float> mean(value.size());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::size_t side = std::min({reach, i, value.size() - 1 - i});
+    const std::size_t first = i - side, last = i + side + 1;
+    const double samples = static_cast<double>(count[last] - count[first]);
+    mean[i] = std::isnan(value[i]) ? value[i] : static_cast<float>((sum[last] - sum[first]) / samples);
+  }
+  return mean;
+}
 
 }  // namespace
+
+void calm_temperatures(RecordingSignals& signals) {
+  const auto reach = static_cast<std::size_t>(kCalmS * signals.rate_hz);
+  signals.calm_tool_degc = calm(signals.value[index_of(Channel::kToolTemperature)], reach);
+  signals.calm_winding_degc = calm(signals.value[index_of(Channel::kWindingTemperature)], reach);
+}
 
 RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
   RecordingSignals thin;
@@ -31,11 +57,12 @@ RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
   return thin;
 }
 
-FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first)
-    : signals_(signals), row_(first), winding_{.value = kWindingDegc} {
+FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
+                         Temperatures temperatures)
+    : signals_(signals), row_(first), winding_degc_(kWindingDegc), temperatures_(temperatures) {
   input_.engagement = machine.feed.engagement;
   input_.chip_load_mm = machine.tool.chip_load_mm;
-  tool_.value = machine.thermal.tool_degc;
+  input_.tool_temperature_degc = machine.thermal.tool_degc;
   if (!signals.has(Channel::kContact)) return;
   for (std::size_t row = 0; row < first; ++row) {
     double contact = 0.0;
@@ -57,12 +84,11 @@ bool FrameSource::sampled(Channel channel, double& value) const {
   return true;
 }
 
-void FrameSource::follow(Channel channel, SlowSignal& signal) const {
-  double measured = 0.0;
-  if (!sampled(channel, measured)) return;
-  const double share = signal.is_measured ? 1.0 / (1.0 + kSlowS * signals_.rate_hz) : 1.0;
-  signal.value += share * (measured - signal.value);
-  signal.is_measured = true;
+void FrameSource::follow(Channel channel, const std::vector<float>& calm, double& value) const {
+  if (calm.empty() || temperatures_ == Temperatures::kAsRecorded)
+    sampled(channel, value);
+  else if (!std::isnan(calm[row_]))
+    value = static_cast<double>(calm[row_]);
 }
 
 gap::GapFrame<double> FrameSource::next() {
@@ -72,12 +98,11 @@ gap::GapFrame<double> FrameSource::next() {
   held(Channel::kContact, input_.contact);
   held(Channel::kEngagement, input_.engagement);
   held(Channel::kChipLoad, input_.chip_load_mm);
-  follow(Channel::kToolTemperature, tool_);
-  follow(Channel::kWindingTemperature, winding_);
-  input_.tool_temperature_degc = tool_.value;
+  follow(Channel::kToolTemperature, signals_.calm_tool_degc, input_.tool_temperature_degc);
+  follow(Channel::kWindingTemperature, signals_.calm_winding_degc, winding_degc_);
   frame.time_s = signals_.time_s(row_);
   frame.input = input_;
-  frame.winding_degc = winding_.value;
+  frame.winding_degc = winding_degc_;
   frame.cutting_time_s = cutting_time_s_;
   frame.has_speed = sampled(Channel::kSpindleSpeed, frame.speed_rad_s);
   frame.has_current = sampled(Channel::kArmatureCurrent, frame.current_a);

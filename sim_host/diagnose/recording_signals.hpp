@@ -20,6 +20,10 @@ struct RecordingSignals {
   std::uint16_t recorded = 0;  ///< bit_of(channel) of what was sampled at least once
   std::array<std::vector<float>, kChannelCount> value;  ///< NaN where there is no sample; empty where never
 
+  /// Temperatures freed of their sensors' noise; empty: as recorded.
+  std::vector<float> calm_tool_degc;
+  std::vector<float> calm_winding_degc;
+
   [[nodiscard]] bool has(Channel channel) const { return (recorded & bit_of(channel)) != 0; }
   [[nodiscard]] double duration_s() const { return static_cast<double>(rows) / rate_hz; }
   [[nodiscard]] double time_s(std::size_t row) const { return static_cast<double>(row) / rate_hz; }
@@ -28,19 +32,18 @@ struct RecordingSignals {
 /// Every `factor`-th sample; inputs become their means over the longer intervals.
 RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor);
 
+/// Fills in the calm temperatures: as factors of a torque their noise would be taken for something that
+/// follows the temperature. Means over as many samples before as after, so that nothing lags behind.
+void calm_temperatures(RecordingSignals& signals);
+
 /// Turns the rows of a recording into what the observers take: held inputs stay where they are missing,
 /// quantities that were never recorded get the machine's own value.
 class FrameSource {
-  /// A temperature, freed of most of its sensor's noise: as a factor of a torque that would be taken for
-  /// something that follows the temperature.
-  struct SlowSignal {
-    double value = 0.0;
-    bool is_measured = false;
-  };
-
  public:
-  /// Begins at row `first`.
-  FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first);
+  enum class Temperatures : std::uint8_t { kCalm, kAsRecorded };
+  /// Begins at row `first`. Calm temperatures where the signals have them.
+  FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
+              Temperatures temperatures = Temperatures::kCalm);
 
   /// Row by row.
   gap::GapFrame<double> next();
@@ -49,14 +52,14 @@ class FrameSource {
  private:
   double held(Channel channel, double& value) const;
   bool sampled(Channel channel, double& value) const;
-  void follow(Channel channel, SlowSignal& signal) const;
+  void follow(Channel channel, const std::vector<float>& calm, double& value) const;
 
   const RecordingSignals& signals_;
   std::size_t row_ = 0;
   double cutting_time_s_ = 0.0;
   PlantInput<double> input_;
-  SlowSignal tool_;
-  SlowSignal winding_;
+  double winding_degc_;
+  Temperatures temperatures_;
 };
 
 }  // namespace morepro::host

@@ -32,6 +32,7 @@ Twist<double> measured_speed(const Chain<double>& chain, const JointVector<doubl
 TEST(KinematicsDerivatives, JacobianEqualsCentralDifferencesOnRandomChains) {
   test::RandomChains random(11);
   double worst = 0.0;
+  Jacobian<double> largest = Jacobian<double>::Zero();
   for (int k = 0; k < kChains; ++k) {
     const DhTable table = random.table();
     const Chain<double> chain(table);
@@ -43,8 +44,13 @@ TEST(KinematicsDerivatives, JacobianEqualsCentralDifferencesOnRandomChains) {
       const Twist<double> difference = j.col(static_cast<int>(i)) - measured_speed(chain, q, rate);
       worst = std::max(worst, difference.cwiseAbs().maxCoeff());
     }
+    largest = largest.cwiseMax(j.cwiseAbs());
   }
   EXPECT_LE(worst, 1.0e-7);
+  // Of no entry could the sign be flipped unseen; the first joint's axis is the base's, half of its column is
+  // zero in every pose.
+  EXPECT_GE(largest.rightCols<kMaxJoints - 1>().minCoeff(), 0.1);
+  EXPECT_EQ((largest.col(0).array() > 0.1).count(), 3);
 }
 
 TEST(KinematicsDerivatives, RateOfTheJacobianEqualsCentralDifferencesOnRandomChains) {

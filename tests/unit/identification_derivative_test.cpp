@@ -63,6 +63,8 @@ TEST(DerivativeRows, MatchCentralDifferences) {
   std::mt19937_64 random(1);
   for (const MachineParameters& machine : {thesis_machine(), reference_machine()}) {
     const Theta theta = Plant<double>(machine).theta();
+    int signs_that_matter = 0;
+    Eigen::Array<bool, 3, kParameters> sign_matters = Eigen::Array<bool, 3, kParameters>::Constant(false);
     for (int k = 0; k < 200; ++k) {
       const auto u = random_input(random);
       const Rows rows = rows_of(machine, u);
@@ -79,9 +81,16 @@ TEST(DerivativeRows, MatchCentralDifferences) {
           const double expected = (high[row] - low[row]) / (2.0 * kStep);
           const double scale = std::abs(high[row]) + std::abs(expected) + 1.0;
           EXPECT_NEAR(rows(r, j) * theta[at], expected, 1.0e-7 * scale) << r << " " << j;
+          const double flipped = -rows(r, j) * theta[at];
+          sign_matters(r, j) = sign_matters(r, j) || std::abs(flipped - expected) > 1.0e-7 * scale;
         }
       }
     }
+    for (std::size_t j = 0; j < kParameterCount; ++j) {
+      const int row = static_cast<int>(balance_of(static_cast<Parameter>(j)));
+      signs_that_matter += sign_matters(row, static_cast<int>(j)) ? 1 : 0;
+    }
+    EXPECT_EQ(signs_that_matter, kParameters);  // a flipped sign in any entry would have been seen
   }
 }
 

@@ -69,12 +69,28 @@ auto central_difference(F f, double h) {
   return ((8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)).eval();
 }
 
+/// In which rows of a column the sign of the entry matters to the check: `true` somewhere for every entry
+/// that is not zero by structure, so that a flipped sign anywhere turns the test red.
+using Entries = Eigen::Array<bool, 3, Eigen::Dynamic>;
+
 void expect_column(const Vector3& analytic, const Vector3& difference, const Vector3& row_scale,
-                   const char* what) {
+                   const char* what, Entries::ColXpr sign_matters) {
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(analytic(i), difference(i), kRelative * std::abs(analytic(i)) + kRounding * row_scale(i))
-        << what << ", row " << i;
+    const double tolerance = kRelative * std::abs(analytic(i)) + kRounding * row_scale(i);
+    EXPECT_NEAR(analytic(i), difference(i), tolerance) << what << ", row " << i;
+    sign_matters(i) = sign_matters(i) || std::abs(-analytic(i) - difference(i)) > tolerance;
   }
+}
+
+/// What depends on what: w' on w, i; v' on v; i' on w, i. The first torques stand in w', and so on.
+bool state_acts(int row, int column) { return (row == kFeedSpeedIndex) == (column == kFeedSpeedIndex); }
+bool parameter_acts(int row, int column) { return row == (column < 2 ? 0 : column < 4 ? 1 : 2); }
+
+template <class Acts>
+void expect_all_signs_checked(const Entries& sign_matters, Acts acts) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < sign_matters.cols(); ++j)
+      EXPECT_EQ(sign_matters(i, j), acts(i, j)) << "row " << i << ", column " << j;
 }
 
 double& coordinate(PlantState<double>& x, int index) {
@@ -86,6 +102,7 @@ TEST(PlantJacobian, StateColumnsAreCentralDifferences) {
   std::mt19937 generator(11);
   for (const MachineParameters& machine : machines()) {
     const Plant<double> plant(machine);
+    Entries sign_matters = Entries::Constant(3, 3, false);
     for (int k = 0; k < 500; ++k) {
       const Point p = random_point(machine, generator);
       Point at = p;
@@ -99,9 +116,12 @@ TEST(PlantJacobian, StateColumnsAreCentralDifferences) {
           return derivative_at(plant, moved);
         };
         const Vector3 difference = central_difference(shifted, h);
-        expect_column(a.col(j), difference, a.cwiseAbs().rowwise().maxCoeff(), "state");
+        expect_column(a.col(j), difference, a.cwiseAbs().rowwise().maxCoeff(), "state", sign_matters.col(j));
       }
     }
+    expect_all_signs_checked(sign_matters, [&](int i, int j) {
+      return state_acts(i, j) && (i != kFeedSpeedIndex || machine.feed.viscous_friction_ns_m > 0.0);
+    });
   }
 }
 
@@ -109,6 +129,7 @@ TEST(PlantJacobian, ParameterColumnsAreCentralDifferences) {
   std::mt19937 generator(12);
   for (const MachineParameters& machine : machines()) {
     const Plant<double> nominal(machine);
+    Entries sign_matters = Entries::Constant(3, static_cast<int>(kParameterCount), false);
     for (int k = 0; k < 500; ++k) {
       const Point p = random_point(machine, generator);
       const auto c = nominal.parameter_jacobian(p.state, p.input);
@@ -122,9 +143,11 @@ TEST(PlantJacobian, ParameterColumnsAreCentralDifferences) {
         };
         const Vector3 difference = central_difference(shifted, 1.0e-4 * nominal.theta()[j]);
         const Vector3 rounding = derivative_at(nominal, p).cwiseAbs() / nominal.theta()[j];
-        expect_column(c.col(static_cast<int>(j)), difference, rounding, "parameter");
+        const int column = static_cast<int>(j);
+        expect_column(c.col(column), difference, rounding, "parameter", sign_matters.col(column));
       }
     }
+    expect_all_signs_checked(sign_matters, parameter_acts);
   }
 }
 
