@@ -35,6 +35,9 @@ class RecordingTrace {
   std::array<std::array<double, 3>, 2> speed_{};
 };
 
+/// A spindle that stands this long between two cuts may have been given another tool.
+inline constexpr double kToolChangeS = 2.0;
+
 /// 0: the machine file describes no tool.
 int teeth_of(const MachineDescription& machine);
 

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
-import { columnsOf, Folder } from "./program.mjs";
+import { hover, inkOf, pageSeries, shownTime, waitForCharts } from "./charts.mjs";
+import { Folder, tableOf } from "./program.mjs";
 
 const MOST_BYTES = 3e6;
 const COMMON = ["verdict", "timeline", "model", "residuals"];
@@ -52,27 +53,6 @@ after(async () => {
 
 const open = (command, options) => openPage(browser, folder.file(`${command}.html`), options);
 const json = (command) => JSON.parse(folder.read(`${command}.json`));
-const shownTime = (page) =>
-  page.$eval("#shown", ({ dataset }) => [Number(dataset.from), Number(dataset.to)]);
-
-/** All charts, wherever they are on the page. */
-async function waitForCharts(page) {
-  await page.waitForFunction(() =>
-    [...document.querySelectorAll(".slot")].every((slot) => slot.querySelector("canvas")));
-}
-
-/** Pixels that are neither background nor grid: far from grey. */
-const inkOf = (page, selector) =>
-  page.$$eval(`${selector} canvas`, (canvases) => canvases.map((canvas) => {
-    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-    let ink = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      const [red, green, blue, alpha] = [data[i], data[i + 1], data[i + 2], data[i + 3]];
-      if (alpha > 150 && Math.max(red, green, blue) - Math.min(red, green, blue) > 60) ++ink;
-    }
-    return ink;
-  }));
-
 /** The verdict as the JSON has it. */
 const VERDICTS = {
   diagnose: ({ verdict }) => verdict,
@@ -123,12 +103,7 @@ test("dragging over one chart changes the time of all, a double click restores i
   const pixel = (2 * SECONDS) / width;
   const [from, to] = await shownTime(page);
   assert.ok(Math.abs(from - 0.25 * SECONDS) < pixel && Math.abs(to - 0.5 * SECONDS) < pixel, `${from} .. ${to}`);
-  const hover = async (selector) => {
-    const place = await page.$(`${selector} .u-over`);
-    await place.scrollIntoViewIfNeeded();
-    await place.hover({ position: { x: width / 2, y: 20 } });
-  };
-  await hover("#model");
+  await hover(page, "#model", width / 2);
   // The cursor stands at one time in all charts that are on the page.
   const times = await page.$$eval("#timeline .u-legend, #model .u-legend", (legends) =>
     legends.map((legend) => Number.parseFloat(legend.querySelector(".u-value").textContent)));
@@ -156,21 +131,18 @@ test("keys and buttons move the time; nothing zooms beyond the recording", async
 
 test("samples that the page shows are those of the recording, and missing rows are a hole", async () => {
   const { page } = await open("replay");
-  const columns = columnsOf(folder.read("run.csv").split("\n").filter((line) => !line.startsWith("#")).join("\n"));
-  const series = await page.evaluate(() =>
-    JSON.parse(document.getElementById("data").textContent).series["recording.armature_voltage_v"]);
-  const steps = new Uint16Array(Uint8Array.from(atob(series.data), (c) => c.charCodeAt(0)).buffer);
-  const step = (series.high - series.low) / 65534;
+  const columns = tableOf(folder.read("run.csv"));
+  const series = await pageSeries(page, "recording.armature_voltage_v");
   const inBucket = (i) => columns.armature_voltage_v.filter((_, row) =>
     Math.floor(Math.round(columns.time_s[row] * 1e4) / Math.round(series.bucket_s * 1e4)) === i);
   for (const i of [0, 7, Math.floor(0.9 / series.bucket_s), Math.floor(2.7 / series.bucket_s)]) {
     const values = inBucket(i);
     // One step of the 16 bits, and the float that the frame holds.
-    assert.ok(Math.abs(series.low + steps[2 * i] * step - Math.min(...values)) < 1.01 * step + 1e-5, `bucket ${i}`);
-    assert.ok(Math.abs(series.low + steps[2 * i + 1] * step - Math.max(...values)) < 1.01 * step + 1e-5, `bucket ${i}`);
+    const { low, high } = series.bucket(i);
+    assert.ok(Math.abs(low - Math.min(...values)) < 1.01 * series.step + 1e-5, `bucket ${i}`);
+    assert.ok(Math.abs(high - Math.max(...values)) < 1.01 * series.step + 1e-5, `bucket ${i}`);
   }
-  const hole = Math.floor((DROPOUT[0] + DROPOUT[1]) / 2 / series.bucket_s);
-  assert.deepEqual([steps[2 * hole], steps[2 * hole + 1]], [65535, 65535]);
+  assert.equal(series.at((DROPOUT[0] + DROPOUT[1]) / 2), null);
 });
 
 test("where, which and how far are those of the JSON", async () => {

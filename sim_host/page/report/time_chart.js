@@ -13,6 +13,8 @@ const LOOKS = {
   commanded: { color: 7, dash: [8, 4] },
   datasheet: { color: 1, dash: [6, 3] },
   refit: { color: 4, dash: [2, 3] },
+  B: { color: 1, dash: [6, 3] },
+  "B − A": { color: 5 },
 };
 /** In these sections the last line is the best model that there is. */
 const WITH_MODEL = ["model", "residuals", "free_run", "wear"];
@@ -127,7 +129,7 @@ export function addTimeChart(place, chart, { store, view, phases, marks }) {
     const drawn = addChart(slot, {
       title: chart.title, x: "time, s", y: chart.unit, height: HEIGHT, sync: "time",
       series: seriesOf(lines, bands, chart.section), scales: { y: yScale(chart.scale, chart.limits) },
-      plugins: [phasePlugin(phases), limitPlugin(chart.limits), markPlugin(marks)], adjust,
+      plugins: [phasePlugin(phases), limitPlugin(chart.limits), markPlugin([...marks, ...chart.marks])], adjust,
     }, columns);
     drawn.refresh = () => drawn.plot.setData(columns(drawn.plot.width));
     return drawn;

@@ -27,7 +27,9 @@ function strips({ data, phases }) {
     list.push({ title, spans: list0, names: ["", yes], fill: () => color("series-6") });
   };
   if (data.gated) flag("Gate", data.gated, "a measurement was rejected");
-  flag("Dropouts", { ...data.missing, runs: data.missing.runs.map(([i, v]) => [i, v ?? 1]) }, "rows are missing");
+  if (data.missing)
+    flag("Dropouts", { ...data.missing, runs: data.missing.runs.map(([i, v]) => [i, v ?? 1]) }, "rows are missing");
+  for (const strip of data.strips ?? []) flag(strip.title, strip, strip.meaning);
   return list.filter((strip) => strip.spans.some(({ value }) => value != null));
 }
 
@@ -106,6 +108,7 @@ export const timeline = {
   id: "timeline",
   title: "Timeline",
   build(place, context) {
+    if (!context.view) return false;
     const list = strips(context);
     const has = (title) => list.some((strip) => strip.title === title);
     if (list.length > 0) {
@@ -115,7 +118,7 @@ export const timeline = {
     }
     const words = [];
     if (!has("Phase")) words.push(NO_PHASES);
-    if (!has("Dropouts")) words.push(WHOLE);
+    if (context.data.missing && !has("Dropouts")) words.push(WHOLE);
     if (context.data.gated && !has("Gate")) words.push(NEVER_GATED);
     if (words.length > 0) place.append(element("p", { className: "muted", text: words.join(" ") }));
     if (context.data.events) addEvents(place, context.data.events);
