@@ -36,7 +36,8 @@ export const columnOf = (page, legends, column) =>
 
 /** A series of the page; `at` gives the smallest and largest value of a time's bucket, null where there is none. */
 export async function pageSeries(page, id) {
-  const series = await page.evaluate((name) => JSON.parse(document.getElementById("data").textContent).series[name], id);
+  const series = await page.evaluate((name) =>
+    JSON.parse(document.getElementById("data").textContent).series[name], id);
   const steps = new Uint16Array(Uint8Array.from(atob(series.data), (c) => c.charCodeAt(0)).buffer);
   const step = (series.high - series.low) / 65534;
   const bucket = (i) => (steps[2 * i] === 65535 ? null

@@ -53,6 +53,7 @@ after(async () => {
 
 const open = (command, options) => openPage(browser, folder.file(`${command}.html`), options);
 const json = (command) => JSON.parse(folder.read(`${command}.json`));
+
 /** The verdict as the JSON has it. */
 const VERDICTS = {
   diagnose: ({ verdict }) => verdict,
@@ -83,6 +84,32 @@ for (const command of COMMANDS) {
     assert.deepEqual(held, result);
     const [download] = await Promise.all([page.waitForEvent("download"), page.click("#download")]);
     assert.deepEqual(JSON.parse(readFileSync(await download.path(), "utf8")), result);
+  });
+}
+
+// A tool gets blunt, faster and faster: how the page says what the monitor says, colour included.
+for (const { wear, state, mood } of [
+  { wear: 0, state: "HEALTHY", mood: "good" },
+  { wear: 0.02, state: "WATCH", mood: "watch" },
+  { wear: 0.05, state: "REPLACE", mood: "bad" },
+]) {
+  test(`replay of a tool that is ${state}: verdict, its reason and the states over time are those of the JSON`, async () => {
+    const name = `tool_${state}`;
+    folder.run("simulate", "--profile", "cutting", "--duration", "3", "--effect", `tool_wear_ramp=${wear}`, "--out",
+      `${name}.csv`, "--progress", "off");
+    folder.run("replay", `${name}.csv`, "--report", `${name}.html`, "--json", `${name}.json`, "--progress", "off");
+    const { health } = json(name);
+    assert.equal(health.state, state);
+    const { page, faults } = await open(name);
+    assert.equal(await page.$eval(".badge", ({ dataset }) => dataset.verdict), health.state);
+    assert.equal(await page.$eval(".badge", ({ textContent }) => textContent.slice(1)), state);
+    assert.ok(await page.$(`.badge.${mood}`));
+    const text = await page.$eval("#verdict", (section) => section.textContent);
+    for (const sentence of [health.reason, health.likely_cause, health.next_step])
+      assert.ok(text.includes(sentence), sentence);
+    const listed = await page.$$eval("#timeline tbody tr", (rows) => rows.map((row) => row.cells[1].textContent));
+    assert.ok(listed.includes(state) && listed.includes("REPLACE") === (state === "REPLACE"), `${listed}`);
+    assert.deepEqual(faults, []);
   });
 }
 
