@@ -13,7 +13,6 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kSeriesPerSignal = 4;
-constexpr std::size_t kFlags = 4;
 
 std::string key(std::string_view side, std::string_view column) { return fmt::format("{}.{}", side, column); }
 
@@ -33,7 +32,7 @@ void DiffReport::begin(const RecordingInfo& a, const RecordingInfo& b, const Tol
   rate_hz_ = std::min(a.rate_hz, b.rate_hz);
   start_us_ = std::min(a.start_us, b.start_us);
   const auto signals = static_cast<std::size_t>(std::popcount(static_cast<std::uint16_t>(in_a_ | in_b_)));
-  table_ = SeriesTable(1.0 / rate_hz_, buckets_for(kSeriesPerSignal * signals + 2 * kFlags));
+  table_ = SeriesTable(1.0 / rate_hz_, buckets_for(kSeriesPerSignal * signals));
   for (std::size_t c = 0; c < kChannelCount; ++c) {
     if (!is_in(in_a_ | in_b_, c)) continue;
     const std::string_view column = kChannels[c].column;
@@ -43,8 +42,8 @@ void DiffReport::begin(const RecordingInfo& a, const RecordingInfo& b, const Tol
                    table_.add(key("difference", column), "B − A", unit),
                    table_.add(key("allowed", column), "allowed", unit)};
   }
-  flags_ = {table_.add("phase", "Phase", "1"), table_.add("out", "Out", "1"),
-            table_.add("only_in_a", "Only in A", "1"), table_.add("only_in_b", "Only in B", "1")};
+  flags_ = {table_.add("phase", "", "1"), table_.add("out", "", "1"), table_.add("only_in_a", "", "1"),
+            table_.add("only_in_b", "", "1")};
 }
 
 bool DiffReport::take_signal(std::size_t channel, const AlignedRow& row) {

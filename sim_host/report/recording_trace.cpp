@@ -56,8 +56,8 @@ RecordingTrace::RecordingTrace(double row_s, const Sensors& sensors, std::size_t
   for (std::size_t c = 0; c < kChannelCount; ++c)
     columns_[c] =
         table_.add(key(c), std::string(kChannelLabels[c].name), std::string(kChannelLabels[c].unit));
-  phase_column_ = table_.add("recording.phase", "Phase", "1");
-  missing_column_ = table_.add("recording.missing", "Missing rows", "1");
+  phase_column_ = table_.add("recording.phase", "", "1");
+  missing_column_ = table_.add("recording.missing", "", "1");
 }
 
 void RecordingTrace::take(std::uint64_t row, const SensorFrame& frame) {

@@ -13,7 +13,7 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kMostEvents = 200;
-constexpr std::size_t kSeriesOfMonitor = 8;
+constexpr std::size_t kSeriesOfMonitor = 6;
 constexpr double kTwoSided95 = 1.96;
 
 /// From what one would rather overlook to what one must not: a bucket shows the worst.
@@ -28,7 +28,7 @@ double rank_of(HealthState state) {
 
 std::size_t buckets_of(const RecordingInfo& recording) {
   const auto recorded = static_cast<std::size_t>(std::popcount(recording.recorded));
-  return buckets_for(recorded + 2 + 2 * kSeriesPerTrace + kSeriesOfMonitor + kMonitorHypotheses);
+  return buckets_for(recorded + 2 * kSeriesPerTrace + kSeriesOfMonitor + kMonitorHypotheses);
 }
 
 /// Of the monitor's exponential mean over pairs of innovations.
@@ -55,8 +55,8 @@ ReplayReport::ReplayReport(const RecordingReader& recording, const MachineDescri
               monitor_.add("monitor.wear", "over the commanded one", "1"),
               monitor_.add("monitor.wear_band", "2 standard errors", "1"),
               monitor_.add("monitor.ratio", "monitor on the board", "1"),
-              monitor_.add("monitor.state", "State", "1"),
-              monitor_.add("monitor.gated", "Rejected by the gate", "1")};
+              monitor_.add("monitor.state", "", "1"),
+              monitor_.add("monitor.gated", "", "1")};
   const MonitorConfiguration& c = machine.configuration;
   if (!machine.has_contact || c.rule == DecisionRule::kThesis) return;
   for (std::size_t j = 0; j < c.grid.count; ++j)

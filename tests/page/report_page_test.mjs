@@ -9,9 +9,9 @@ import { Folder, tableOf } from "./program.mjs";
 const MOST_BYTES = 3e6;
 const COMMON = ["verdict", "timeline", "model", "residuals"];
 const SECTIONS = {
-  diagnose: [...COMMON, "gap", "parameters", "signals", "reproduce"],
-  replay: [...COMMON, "gap", "hypotheses", "parameters", "wear", "budget", "signals", "reproduce"],
-  identify: [...COMMON, "gap", "parameters", "signals", "reproduce"],
+  diagnose: [...COMMON, "gap", "parameters", "signals", "machine", "reproduce"],
+  replay: [...COMMON, "gap", "hypotheses", "parameters", "wear", "budget", "signals", "machine", "reproduce"],
+  identify: [...COMMON, "gap", "parameters", "signals", "machine", "reproduce"],
 };
 const LOOKS = {
   diagnose: { size: TABLET, colorScheme: "light" },

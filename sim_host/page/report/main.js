@@ -3,6 +3,7 @@ import { budget } from "./budget.js";
 import { hypotheses, model, signals, wear } from "./chart_sections.js";
 import { spoken } from "./element.js";
 import { gap } from "./gap.js";
+import { machine } from "./machine.js";
 import { parameters } from "./parameters.js";
 import { reproduce } from "./reproduce.js";
 import { residuals } from "./residuals.js";
@@ -11,7 +12,9 @@ import { timeline } from "./timeline.js";
 import { verdict } from "./verdict.js";
 
 // What to do first, then what supports it.
-const SECTIONS = [verdict, timeline, model, residuals, gap, hypotheses, parameters, wear, budget, signals, reproduce];
+const SECTIONS = [
+  verdict, timeline, model, residuals, gap, hypotheses, parameters, wear, budget, signals, machine, reproduce,
+];
 const TITLES = {
   diagnose: "Sim-to-real gap", replay: "Replay through the monitor", identify: "Identification",
 };

@@ -4,6 +4,8 @@ import { color } from "../shared/theme.js";
 import { limitPlugin, markPlugin, readableTicks, yScale } from "./limits.js";
 import { phasePlugin } from "./phases.js";
 
+/** The cursor that all charts over time share. */
+export const CURSOR = "time";
 const HEIGHT = 190;
 const AXIS_PX = 80;
 const COLORS = 8;
@@ -127,7 +129,7 @@ export function addTimeChart(place, chart, { store, view, phases, marks }) {
   };
   followView(slot, view, () => {
     const drawn = addChart(slot, {
-      title: chart.title, x: "time, s", y: chart.unit, height: HEIGHT, sync: "time",
+      title: chart.title, x: "time, s", y: chart.unit, height: HEIGHT, sync: CURSOR,
       series: seriesOf(lines, bands, chart.section), scales: { y: yScale(chart.scale, chart.limits) },
       plugins: [phasePlugin(phases), limitPlugin(chart.limits), markPlugin([...marks, ...chart.marks])], adjust,
     }, columns);

@@ -2,8 +2,8 @@ import { addChart } from "../shared/chart.js";
 import { color } from "../shared/theme.js";
 import { tableOf } from "../shared/table.js";
 import { element } from "./element.js";
-import { nameSpans, paintSpans, PHASES, spans } from "./phases.js";
-import { followView, timeOptions } from "./time_chart.js";
+import { nameSpans, paintSpans, PHASES, spanAt, spans } from "./phases.js";
+import { CURSOR, followView, timeOptions } from "./time_chart.js";
 
 const ROW_PX = 30;
 const POINTS = 2000;
@@ -33,17 +33,9 @@ function strips({ data, phases }) {
   return list.filter((strip) => strip.spans.some(({ value }) => value != null));
 }
 
-/** Narrow spans are not looked for one by one: the last that begins before the time. */
 function nameAt({ spans: list, names }, time) {
-  let low = 0;
-  let high = list.length - 1;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (list[middle].from <= time) low = middle;
-    else high = middle - 1;
-  }
-  const found = list[low];
-  return found && found.value != null && time >= found.from && time <= found.to ? names[found.value] : "–";
+  const value = spanAt(list, time)?.value;
+  return value == null ? "–" : names[value];
 }
 
 const stripPlugin = (list) => ({
@@ -72,7 +64,7 @@ function addStrips(place, list, context) {
   };
   followView(place, view, () => {
     const drawn = addChart(place, {
-      title: "What happened when", x: "time, s", y: "1", height: ROW_PX * list.length + 50, sync: "time",
+      title: "What happened when", x: "time, s", y: "1", height: ROW_PX * list.length + 50, sync: CURSOR,
       series: list.map((strip, i) => ({
         label: strip.title, color: 7,
         more: { points: { show: false },

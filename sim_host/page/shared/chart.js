@@ -71,4 +71,17 @@ export function addChart(place, description, data) {
   return chart;
 }
 
+/** Calls back with x wherever the cursor stands in charts that share it. */
+export function onCursor(sync, action) {
+  const pub = (type, source, left) => {
+    if (type === "mousemove" && left >= 0) action(source.posToVal(left, "x"));
+  };
+  uPlot.sync(sync).sub({ pub });
+}
+
+/** Puts the cursor of all charts that share it at x; nobody is called back. */
+export function moveCursor(sync, x) {
+  for (const plot of uPlot.sync(sync).plots) plot.setCursor?.({ left: plot.valToPos(x, "x"), top: 0 }, false, false);
+}
+
 onThemeChange(() => charts.forEach((draw) => draw()));
