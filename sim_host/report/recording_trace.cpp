@@ -60,7 +60,7 @@ RecordingTrace::RecordingTrace(double row_s, const Sensors& sensors, std::size_t
   missing_column_ = table_.add("recording.missing", "", "1");
 }
 
-void RecordingTrace::take(std::uint64_t row, const SensorFrame& frame) {
+Phase RecordingTrace::take(std::uint64_t row, const SensorFrame& frame) {
   recorded_ = static_cast<std::uint16_t>(recorded_ | frame.present);
   table_.begin_row(row);
   for (std::size_t c = 0; c < kChannelCount; ++c)
@@ -73,6 +73,7 @@ void RecordingTrace::take(std::uint64_t row, const SensorFrame& frame) {
   next_row_ = row + 1;
   if (frame.has(Channel::kSpindleSpeed))
     take_speed(static_cast<double>(frame.get(Channel::kSpindleSpeed)), phase);
+  return phase;
 }
 
 void RecordingTrace::take_speed(double speed_rad_s, Phase phase) {

@@ -14,8 +14,8 @@ class RecordingTrace {
  public:
   RecordingTrace(double row_s, const Sensors& sensors, std::size_t most_buckets);
 
-  /// The frame of a row of the recording's grid; `row` increases.
-  void take(std::uint64_t row, const SensorFrame& frame);
+  /// The frame of a row of the recording's grid; `row` increases. Gives what the machine was doing.
+  Phase take(std::uint64_t row, const SensorFrame& frame);
   void take_all(const RecordingSignals& signals);
   /// `rows`: of the whole grid. `teeth`: of the tool; 0: unknown.
   void add_to(std::uint64_t rows, int teeth, ReportPage& page);

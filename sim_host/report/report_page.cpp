@@ -49,6 +49,11 @@ void ReportPage::add(const TimeChart& chart) {
     limits.push_back({{"value", limit.value}, {"label", limit.label}});
   Json marks = Json::array();
   for (const ChartMark& mark : chart.marks) marks.push_back({{"x", mark.time_s}, {"label", mark.label}});
+  Json segments = Json::array();
+  for (const ChartSegment& s : chart.segments)
+    segments.push_back({{"from", {{"x", s.from_s}, {"y", s.from}}},
+                        {"to", {{"x", s.to_s}, {"y", s.to}}},
+                        {"label", s.label}});
   data_["charts"].push_back({{"section", chart.section},
                              {"title", chart.title},
                              {"unit", chart.unit},
@@ -56,6 +61,7 @@ void ReportPage::add(const TimeChart& chart) {
                              {"band", chart.band.empty() ? Json(nullptr) : Json(chart.band)},
                              {"limits", std::move(limits)},
                              {"marks", std::move(marks)},
+                             {"segments", std::move(segments)},
                              {"scale", chart.scale}});
 }
 
@@ -64,7 +70,8 @@ std::string ReportPage::html(std::string_view result, std::string_view command_l
   Json list = Json::array();
   for (const std::string& file : files)
     if (const Json entry = file_of(file); !entry["crc32"].is_null()) list.push_back(entry);
-  data_["origin"] = {{"command_line", command_line}, {"files", std::move(list)}};
+  data_["origin"] = {
+      {"program", "morepro " MOREPRO_VERSION}, {"command_line", command_line}, {"files", std::move(list)}};
   data_["result"] = Json::parse(result);
   return page_html(parts_, data_.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

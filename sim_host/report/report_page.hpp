@@ -24,6 +24,15 @@ struct ChartMark {
   std::string label;
 };
 
+/// A straight line from one point of a chart to another.
+struct ChartSegment {
+  double from_s = 0.0;
+  double from = 0.0;
+  double to_s = 0.0;
+  double to = 0.0;
+  std::string label;
+};
+
 /// A chart over time: names of series that are on the page, all on one grid.
 struct TimeChart {
   std::string section;  ///< of the page that shows it
@@ -33,6 +42,7 @@ struct TimeChart {
   std::string band{};  ///< a series whose smallest and largest values are drawn as an area; empty: none
   std::vector<ChartLimit> limits{};
   std::vector<ChartMark> marks{};
+  std::vector<ChartSegment> segments{};
   std::string scale = "linear";  ///< or "log", or "asinh": linear up to 3, logarithmic beyond
 };
 

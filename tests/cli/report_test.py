@@ -62,6 +62,43 @@ class Report(ProgramTest):
         self.assertEqual([value for _, value in data["missing"]["runs"]], [0, None, 1, 0])
         self.assertLess((self.folder / "page.html").stat().st_size, 3e6)
 
+    def test_the_trend_of_wear_is_that_of_the_tool(self):
+        slopes = []
+        for ramp in (0, 0.0005, 0.001):
+            self.must_do("simulate", "--profile", "production", "--duration", "3", "--effect", f"tool_wear_ramp={ramp}",
+                         "--out", "run.csv", "--progress", "off")
+            trend = self.data_of("replay")["wear_trend"]
+            slopes.append((trend["slope_per_s"], trend["standard_error_per_s"]))
+        (none, error), (half, half_error), (whole, whole_error) = slopes
+        self.assertLess(abs(none), 3 * error)
+        self.assertGreater(half, 5 * half_error)
+        # Twice the wear, twice the slope; the law of the cut bends by some percent.
+        self.assertLess(abs(whole - 2 * half), 3 * (whole_error + 2 * half_error) + 0.03 * whole)
+
+    def rows_of(self, *options):
+        self.must_do("simulate", "--profile", "production", "--duration", "2", "--out", "part.csv", "--progress", "off",
+                     *options)
+        lines = [line.split(",") for line in (self.folder / "part.csv").read_text().splitlines() if line[0] != "#"]
+        (self.folder / "part.csv").unlink()
+        return lines[0], lines[1:]
+
+    def test_the_trend_begins_anew_where_the_tool_may_have_been_changed(self):
+        head, worn = self.rows_of("--effect", "tool_wear_ramp=0.002")
+        _, sharp = self.rows_of("--seed", "2")
+        for stop_s, begins_s in ((1, 0), (2.5, 2 + 2.5)):
+            stop = [worn[0]] * round(stop_s * 10000)
+            with self.subTest(stop_s=stop_s):
+                self.write("run.csv", ",".join(head) + "\n" + "".join(
+                    ",".join([f"{k / 10000:.4f}", *row[1:]]) + "\n" for k, row in enumerate(worn + stop + sharp)))
+                trend = self.data_of("replay", "--machine", "reference")["wear_trend"]
+                self.assertEqual(trend["from_s"] >= begins_s, True)
+                self.assertEqual(trend["from_s"] < 2, begins_s == 0)
+
+    def test_events_say_what_to_do_and_the_page_which_program_it_was(self):
+        data = self.data_of("replay")
+        self.assertTrue(all(event["cause"] and event["next_step"] for event in data["events"]["listed"]))
+        self.assertEqual(data["origin"]["program"], "morepro " + self.must_do("--version").stdout.strip())
+
     def write_axis(self, name, rate_hz, rows, more_n=0.0, start_s=0.0):
         self.write(name, "time_s,feed_force_n\n" + "".join(
             f"{start_s + k / rate_hz:.6f},{k % 7 + more_n}\n" for k in range(rows)))

@@ -109,6 +109,11 @@ for (const { wear, state, mood } of [
       assert.ok(text.includes(sentence), sentence);
     const listed = await page.$$eval("#timeline tbody tr", (rows) => rows.map((row) => row.cells[1].textContent));
     assert.ok(listed.includes(state) && listed.includes("REPLACE") === (state === "REPLACE"), `${listed}`);
+    const { slope_per_s: slope, standard_error_per_s: error } = await page.evaluate(() =>
+      JSON.parse(document.getElementById("data").textContent).wear_trend);
+    assert.equal(slope > 2 * error, wear > 0);
+    const trend = await page.$eval("#trend", ({ textContent }) => textContent);
+    assert.equal(trend.includes("none that can be seen"), wear === 0, trend);
     assert.deepEqual(faults, []);
   });
 }

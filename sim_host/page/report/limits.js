@@ -2,11 +2,11 @@
 import { shown } from "../shared/number.js";
 import { color } from "../shared/theme.js";
 
-function line(plot, draw) {
+function line(plot, draw, tint = color("muted")) {
   const { ctx: context } = plot;
   context.save();
-  context.strokeStyle = color("muted");
-  context.fillStyle = color("muted");
+  context.strokeStyle = tint;
+  context.fillStyle = tint;
   context.lineWidth = devicePixelRatio;
   context.font = `${11 * devicePixelRatio}px system-ui`;
   context.setLineDash([6 * devicePixelRatio, 4 * devicePixelRatio]);
@@ -56,6 +56,30 @@ export function markPlugin(marks) {
     });
   };
   return { hooks: { draw: (plot) => marks.forEach((mark, index) => one(plot, mark, index)) } };
+}
+
+/** `segments`: [{from: {x, y}, to: {x, y}, label}]. */
+export function segmentPlugin(segments) {
+  const one = (plot, { from, to, label: text }) => {
+    const { left, top, width, height } = plot.bbox;
+    const [start, end] = [from, to].map(({ x, y }) => [plot.valToPos(x, "x", true), plot.valToPos(y, "y", true)]);
+    line(plot, (context) => {
+      context.save();
+      context.beginPath();
+      context.rect(left, top, width, height);
+      context.clip();
+      context.beginPath();
+      context.lineWidth = 2 * devicePixelRatio;
+      context.moveTo(...start);
+      context.lineTo(...end);
+      context.stroke();
+      context.textAlign = "right";
+      label(context, text, Math.min(end[0], left + width) - 4, end[1] - 6 * devicePixelRatio);
+      context.restore();
+      context.beginPath();
+    }, color("text"));
+  };
+  return { hooks: { draw: (plot) => segments.forEach((segment) => one(plot, segment)) } };
 }
 
 /** A range that holds data and limits with a margin. */

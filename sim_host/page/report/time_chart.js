@@ -1,7 +1,7 @@
 import { addChart } from "../shared/chart.js";
 import { shown } from "../shared/number.js";
 import { color } from "../shared/theme.js";
-import { limitPlugin, markPlugin, readableTicks, yScale } from "./limits.js";
+import { limitPlugin, markPlugin, readableTicks, segmentPlugin, yScale } from "./limits.js";
 import { phasePlugin } from "./phases.js";
 
 /** The cursor that all charts over time share. */
@@ -131,7 +131,8 @@ export function addTimeChart(place, chart, { store, view, phases, marks }) {
     const drawn = addChart(slot, {
       title: chart.title, x: "time, s", y: chart.unit, height: HEIGHT, sync: CURSOR,
       series: seriesOf(lines, bands, chart.section), scales: { y: yScale(chart.scale, chart.limits) },
-      plugins: [phasePlugin(phases), limitPlugin(chart.limits), markPlugin([...marks, ...chart.marks])], adjust,
+      plugins: [phasePlugin(phases), limitPlugin(chart.limits), markPlugin([...marks, ...chart.marks]),
+        segmentPlugin(chart.segments)], adjust,
     }, columns);
     drawn.refresh = () => drawn.plot.setData(columns(drawn.plot.width));
     return drawn;

@@ -82,6 +82,8 @@ const EVENTS = [
   ["state", (event) => event.state],
   ["code", (event) => event.reason],
   ["what it means", (event) => event.sentence],
+  ["likely cause", (event) => event.cause],
+  ["what to do", (event) => event.next_step],
 ];
 
 function addEvents(place, { listed, changes }) {
