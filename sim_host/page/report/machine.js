@@ -57,22 +57,27 @@ function whenSeen(place, action) {
 /** The charts' cursor moves the player; the player moves the cursor. */
 function couple(player, view) {
   let isLed = false;
-  onCursor(CURSOR, (time) => {
+  let hasCursor = false;
+  const lead = (action) => {
     isLed = true;
+    action();
+    isLed = false;
+  };
+  onCursor(CURSOR, (time) => lead(() => {
+    hasCursor = true;
     player.pause();
     player.seek(time);
-    isLed = false;
-  });
+  }));
   player.onChange(() => {
-    if (!isLed) moveCursor(CURSOR, player.time);
+    if (isLed) return;
+    hasCursor = true;
+    moveCursor(CURSOR, player.time);
   });
   view.onChange(() => {
     Object.assign(player, { start: view.from, end: view.to });
-    isLed = true;
-    player.seek(player.time);
-    isLed = false;
+    lead(() => player.seek(player.time));
     // After the charts: the cursor keeps its time, not its place.
-    requestAnimationFrame(() => moveCursor(CURSOR, player.time));
+    if (hasCursor) requestAnimationFrame(() => moveCursor(CURSOR, player.time));
   });
 }
 

@@ -24,7 +24,7 @@ function strips({ data, phases }) {
   }
   const flag = (title, source, yes) => {
     const list0 = spans(source, end).map((span) => ({ ...span, value: span.value === 0 ? null : 1 }));
-    list.push({ title, spans: list0, names: ["", yes], fill: () => color("series-6") });
+    list.push({ title, spans: list0, names: ["", yes], fill: () => color("state-replace") });
   };
   if (data.gated) flag("Gate", data.gated, "a measurement was rejected");
   if (data.missing)
