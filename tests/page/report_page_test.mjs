@@ -93,7 +93,7 @@ for (const { wear, state, mood } of [
   { wear: 0.02, state: "WATCH", mood: "watch" },
   { wear: 0.05, state: "REPLACE", mood: "bad" },
 ]) {
-  test(`replay of a tool that is ${state}: verdict, its reason and the states over time are those of the JSON`, async () => {
+  test(`replay of a tool that is ${state}: verdict, reason and states over time are those of the JSON`, async () => {
     const name = `tool_${state}`;
     folder.run("simulate", "--profile", "cutting", "--duration", "3", "--effect", `tool_wear_ramp=${wear}`, "--out",
       `${name}.csv`, "--progress", "off");

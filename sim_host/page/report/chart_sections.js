@@ -37,7 +37,8 @@ function trendText(trend) {
   if (!trend) return NO_TREND;
   const { slope_per_s: slope, standard_error_per_s: error, from_s: from, to_s: to } = trend;
   const [scale, unit] = Math.abs(slope) + error < SLOW ? [PER_HOUR, "hour"] : [1, "second"];
-  const size = `${slope < 0 ? "−" : "+"}${shown(scale * Math.abs(slope), 3)} ± ${shown(scale * error, 2)} per ${unit}`;
+  const sign = slope < 0 ? "−" : "+";
+  const size = `${sign}${shown(scale * Math.abs(slope), 3)} ± ${shown(scale * error, 2)} per ${unit}`;
   const sure = Math.abs(slope) < 2 * error ? ", which is less than two standard errors: none that can be seen" : "";
   return `Trend from ${from.toFixed(3)} to ${to.toFixed(3)} s, since the tool could last have been changed: ` +
     `${size} (a straight line with its standard error)${sure}.`;

@@ -11,8 +11,8 @@ import { CURSOR } from "./time_chart.js";
 const SPEEDS = [0.001, 0.01, 0.1, 0.5, 1, 2, 10, 60];
 const NOTHING = "The recording holds neither a feed position nor a spindle speed, so there is nothing that could move.";
 const TEXT =
-  "The carriage stands where the feed axis was, the spindle has turned by the sum of its recorded speed; the sizes of " +
-  "head and workpiece are not the machine's. It follows the cursor of the charts and plays the time that they show.";
+  "The carriage stands where the feed axis was, the spindle has turned by the sum of its recorded speed; the sizes " +
+  "of head and workpiece are not the machine's. It follows the cursor of the charts and plays the time that they show.";
 const NO_FEED = " The feed position is not recorded: the carriage stands.";
 const NO_SPEED = " The spindle's speed is not recorded: it does not turn.";
 

@@ -29,7 +29,10 @@ function optionsOf({ x, series, height, sync, plugins = [], scales = {}, adjust 
     scales: { x: { time: false }, ...scales },
     cursor: { sync: sync ? { key: sync } : undefined, drag: { x: false, y: false }, points: { size: 7 } },
     legend: { live: true },
-    axes: [axis({ size: 30, space: 70, values: stepTicks }), axis({ size: 66, space: 26, values: (_, ticks) => ticks.map((tick) => shown(tick)) })],
+    axes: [
+      axis({ size: 30, space: 70, values: stepTicks }),
+      axis({ size: 66, space: 26, values: (_, ticks) => ticks.map((tick) => shown(tick)) }),
+    ],
     series: [
       { label: x, value: (_, value) => shown(value, 6) },
       ...series.map((one, index) => ({

@@ -1,4 +1,4 @@
-/** A row of a table of values: name, with a coloured mark where `mark` is there, value, unit. Gives the value's cell. */
+/** A row of a table of values: name, with a mark of a colour where `mark` is there, value, unit. Gives its cell. */
 export function addValue(table, name, unit, mark) {
   const row = table.insertRow();
   const label = document.createElement("th");

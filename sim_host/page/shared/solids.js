@@ -5,7 +5,9 @@ export const BOX = new BoxGeometry(1, 1, 1);
 export const DRUM = new CylinderGeometry(1, 1, 1, 32).rotateX(Math.PI / 2);
 export const TIP = new ConeGeometry(1, 1, 32).rotateX(Math.PI / 2).translate(0, 0, -0.5);
 
-export const paint = (color, more = { roughness: 0.55, metalness: 0.1 }) => new MeshStandardMaterial({ color, ...more });
+export function paint(color, more = { roughness: 0.55, metalness: 0.1 }) {
+  return new MeshStandardMaterial({ color, ...more });
+}
 
 export function solid(geometry, material, ...size) {
   const mesh = new Mesh(geometry, material);
