@@ -10,6 +10,7 @@
 #include "sim_host/diff/diff_output.hpp"
 #include "sim_host/diff/recording_diff.hpp"
 #include "sim_host/diff/result_diff.hpp"
+#include "sim_host/report/diff_report.hpp"
 #include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/progress.hpp"
 #include "sim_host/support/user_error.hpp"
@@ -23,6 +24,7 @@ constexpr const char* kFooter =
     "any format and rate are compared at the rows of the slower one; files that end in .json are results.\n"
     "Status 0: all within tolerance; 1: not.\n\n"
     "Example: morepro diff before.csv after.mrec --rel-tol 1e-6 --tol feed_force_n=0.5,0.01\n"
+    "         morepro diff before.csv after.csv --rel-tol 1e-3 --report differences.html\n"
     "         morepro diff before.csv logger.mat --time-tol 0.0005 --out differences.csv\n"
     "         morepro diff before.json after.json --rel-tol 1e-9 --tol chip_load_mm.estimate=0.001";
 
@@ -35,6 +37,7 @@ struct DiffArguments {
   std::vector<std::string> tolerances;
   std::string json;
   std::string out;
+  std::string report;
   std::string progress = "auto";
 };
 
@@ -52,25 +55,28 @@ void warn_about(const RecordingReader& recording) {
   if (recording.info().warnings.empty() && !recording.damage().empty()) warn(recording.damage());
 }
 
-DiffResult compare_recordings(const DiffArguments& arguments, OutputFile* out) {
+DiffResult compare_recordings(const DiffArguments& arguments, OutputFile* out, DiffReport* report) {
   RecordingReader a(arguments.a);
   RecordingReader b(arguments.b);
   warn_about(a);
   warn_about(b);
   std::optional<DifferenceCsv> differences;
   if (out != nullptr) differences.emplace(*out, a.info(), b.info());
+  const Tolerances tolerances = tolerances_of(arguments);
+  if (report != nullptr) report->begin(a.info(), b.info(), tolerances);
   Progress progress("diff", a.frame_count(), arguments.progress == "auto");
-  return diff_recordings(a, b, tolerances_of(arguments), [&](const AlignedRow& row) {
+  return diff_recordings(a, b, tolerances, [&](const AlignedRow& row) {
     if (differences) differences->write(row);
+    if (report != nullptr) report->take(row);
     progress.advance();
   });
 }
 
-DiffResult compare(const DiffArguments& arguments, OutputFile* out) {
+DiffResult compare(const DiffArguments& arguments, OutputFile* out, DiffReport* report) {
   if (is_result(arguments.a) != is_result(arguments.b))
     throw UsageError(
         fmt::format("{} and {}: give two recordings or two results (.json)", arguments.a, arguments.b));
-  if (!is_result(arguments.a)) return compare_recordings(arguments, out);
+  if (!is_result(arguments.a)) return compare_recordings(arguments, out, report);
   if (out != nullptr || arguments.time_s != 0.0)
     throw UsageError("--out and --time-tol are for recordings; results have no time");
   return diff_results(arguments.a, arguments.b, tolerances_of(arguments));
@@ -78,13 +84,19 @@ DiffResult compare(const DiffArguments& arguments, OutputFile* out) {
 
 void run(const DiffArguments& arguments) {
   check_distinct({{"A", arguments.a}, {"B", arguments.b}},
-                 {{"--json", arguments.json}, {"--out", arguments.out}});
+                 {{"--json", arguments.json}, {"--out", arguments.out}, {"--report", arguments.report}});
+  std::optional<DiffReport> report;
+  if (!arguments.report.empty()) report.emplace();
   const auto json = open_if_asked(arguments.json);
   const auto out = open_if_asked(arguments.out);
-  const DiffResult result = compare(arguments, out.get());
-  if (json) json->write(diff_json(result));
-  if (arguments.json != "-" && arguments.out != "-") fmt::print("{}", diff_text(result));
-  for (OutputFile* file : {json.get(), out.get()})
+  const auto page = open_if_asked(arguments.report);
+  const DiffResult result = compare(arguments, out.get(), report ? &*report : nullptr);
+  const std::string text = diff_json(result);
+  if (json) json->write(text);
+  if (page) page->write(report->html(result, text, command_line(), {arguments.a, arguments.b}));
+  if (arguments.json != "-" && arguments.out != "-" && arguments.report != "-")
+    fmt::print("{}", diff_text(result));
+  for (OutputFile* file : {json.get(), out.get(), page.get()})
     if (file != nullptr) file->commit();
   if (!result.is_within())
     throw UserError(fmt::format("{} and {} differ: {}", arguments.a, arguments.b, diff_sentence(result)));
@@ -117,6 +129,7 @@ void add_diff(CLI::App& program) {
       ->take_all();
   command->add_option("--json", arguments->json, "write the comparison as JSON; '-': on standard output");
   command->add_option("--out", arguments->out, "write the differences B - A as CSV, row by row");
+  add_report_option(*command, arguments->report);
   add_progress_option(*command, arguments->progress);
   command->callback([arguments] { run(*arguments); });
 }

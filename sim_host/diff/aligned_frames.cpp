@@ -15,6 +15,11 @@ std::int64_t distance_us(const TimedFrame& one, const TimedFrame& other) {
 
 }  // namespace
 
+std::optional<double> sample_of(const std::optional<TimedFrame>& side, Channel channel) {
+  if (!side || !side->frame.has(channel) || std::isnan(side->frame.get(channel))) return std::nullopt;
+  return static_cast<double>(side->frame.get(channel));
+}
+
 FrameQueue::FrameQueue(RecordingReader& recording)
     : recording_(recording), time_(recording.info().start_us), current_(read()), following_(read()) {}
 

@@ -20,6 +20,9 @@ struct AlignedRow {
   [[nodiscard]] std::int64_t time_us() const { return a ? a->time_us : b->time_us; }
 };
 
+/// The sample of one side; empty where it has none.
+std::optional<double> sample_of(const std::optional<TimedFrame>& side, Channel channel);
+
 /// The frames of one recording whose time increases, one looked ahead.
 class FrameQueue {
  public:

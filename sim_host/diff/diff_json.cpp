@@ -58,7 +58,8 @@ std::string diff_json(const DiffResult& r) {
             {"a", side_of(r.a, r.is_of_recordings)},
             {"b", side_of(r.b, r.is_of_recordings)},
             {"tolerance", tolerance},
-            {"within_tolerance", r.is_within()}};
+            {"within_tolerance", r.is_within()},
+            {"explanation", diff_sentence(r)}};
   if (r.is_of_recordings)
     json["rows"] = {
         {"aligned", r.aligned_rows}, {"only_in_a", r.rows_only_in_a}, {"only_in_b", r.rows_only_in_b}};

@@ -1,7 +1,6 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 
 #include "sim_host/diff/diff_output.hpp"
@@ -25,10 +24,8 @@ void DifferenceCsv::write(const AlignedRow& row) {
     const auto channel = static_cast<Channel>(i);
     if ((recorded_ & bit_of(channel)) == 0) continue;
     line.push_back(',');
-    if (!row.a->frame.has(channel) || !row.b->frame.has(channel)) continue;
-    const double a = static_cast<double>(row.a->frame.get(channel));
-    const double b = static_cast<double>(row.b->frame.get(channel));
-    if (!std::isnan(a) && !std::isnan(b)) fmt::format_to(out, FMT_COMPILE("{}"), a == b ? 0.0 : b - a);
+    const auto a = sample_of(row.a, channel), b = sample_of(row.b, channel);
+    if (a && b) fmt::format_to(out, FMT_COMPILE("{}"), *a == *b ? 0.0 : *b - *a);
   }
   line.push_back('\n');
   file_.write(std::string_view(line.data(), line.size()));

@@ -15,9 +15,9 @@ class SignalComparison {
   }
 
   /// A sample that is missing is no value.
-  void add(double time_s, std::optional<float> a, std::optional<float> b) {
+  void add(double time_s, std::optional<double> a, std::optional<double> b) {
     if (!a && !b) return;
-    if (a && b) return compare(time_s, static_cast<double>(*a), static_cast<double>(*b));
+    if (a && b) return compare(time_s, *a, *b);
     ++(a ? signal_.missing_in_b : signal_.missing_in_a);
     note_out(time_s);
   }
@@ -50,11 +50,6 @@ class SignalComparison {
   double square_sum_ = 0.0;
 };
 
-std::optional<float> sample(const std::optional<TimedFrame>& row, Channel channel) {
-  if (!row || !row->frame.has(channel) || std::isnan(row->frame.get(channel))) return std::nullopt;
-  return row->frame.get(channel);
-}
-
 class Comparison {
  public:
   Comparison(const RecordingInfo& a, const RecordingInfo& b, const Tolerances& tolerances)
@@ -69,7 +64,7 @@ class Comparison {
     for (std::size_t i = 0; i < kChannelCount; ++i) {
       const auto channel = static_cast<Channel>(i);
       if ((in_a_ & in_b_ & bit_of(channel)) == 0) continue;
-      signals_[i].add(seconds(row.time_us()), sample(row.a, channel), sample(row.b, channel));
+      signals_[i].add(seconds(row.time_us()), sample_of(row.a, channel), sample_of(row.b, channel));
     }
   }
 

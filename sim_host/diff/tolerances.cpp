@@ -30,10 +30,13 @@ Tolerance Tolerances::of(std::string_view signal) const {
   return own == of_signal.end() ? common : own->second;
 }
 
+double allowed_difference(double a, const Tolerance& tolerance) {
+  return std::max(tolerance.absolute, tolerance.relative * std::fabs(a));
+}
+
 bool is_within(double a, double b, const Tolerance& tolerance) {
   if (a == b || (std::isnan(a) && std::isnan(b))) return true;
-  const double allowed = std::max(tolerance.absolute, tolerance.relative * std::fabs(a));
-  return std::isfinite(a) && std::isfinite(b) && std::fabs(b - a) <= allowed;
+  return std::isfinite(a) && std::isfinite(b) && std::fabs(b - a) <= allowed_difference(a, tolerance);
 }
 
 void take_tolerance(const std::string& text, Tolerances& tolerances) {

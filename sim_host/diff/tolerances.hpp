@@ -18,6 +18,9 @@ struct Tolerances {
   [[nodiscard]] Tolerance of(std::string_view signal) const;
 };
 
+/// How far from the baseline `a` a value may be.
+double allowed_difference(double a, const Tolerance& tolerance);
+
 /// Is `b` within tolerance of the baseline `a`? Two NaN, and two infinities of one sign, are.
 bool is_within(double a, double b, const Tolerance& tolerance);
 

@@ -13,6 +13,7 @@ struct PageParts {
 };
 
 // One object per folder with a page.html.
+extern const PageParts k_diff_page;
 extern const PageParts k_kinematics_page;
 extern const PageParts k_report_page;
 extern const PageParts k_thesis_page;

@@ -5,28 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim_host/report/channel_label.hpp"
+
 namespace morepro::host {
 namespace {
-
-struct ChannelLabel {
-  std::string_view name;
-  std::string_view unit;
-};
-
-constexpr std::array<ChannelLabel, kChannelCount> kLabels{{{"Armature voltage", "V"},
-                                                           {"Feed force", "N"},
-                                                           {"Contact", "1"},
-                                                           {"Engagement", "1"},
-                                                           {"Spindle speed", "rad/s"},
-                                                           {"Spindle angle", "rad"},
-                                                           {"Feed speed", "m/s"},
-                                                           {"Feed position", "m"},
-                                                           {"Armature current", "A"},
-                                                           {"Tool temperature", "degC"},
-                                                           {"Winding temperature", "degC"},
-                                                           {"Commanded chip load", "mm"},
-                                                           {"Spindle acceleration", "rad/s2"},
-                                                           {"Feed acceleration", "m/s2"}}};
 
 std::string key(std::size_t channel) { return fmt::format("recording.{}", kChannels[channel].column); }
 
@@ -43,9 +25,6 @@ SensorFrame frame_of(const RecordingSignals& signals, std::size_t row) {
       frame.set(static_cast<Channel>(c), signals.value[c][row]);
   return frame;
 }
-
-/// A spindle that stands this long between two cuts may have been given another tool.
-constexpr double kToolChangeS = 2.0;
 
 Json turning(const std::array<double, 3>& sums, int teeth) {
   const double mean = sums[1] / sums[0];
@@ -75,12 +54,13 @@ int teeth_of(const MachineDescription& machine) {
 RecordingTrace::RecordingTrace(double row_s, const Sensors& sensors, std::size_t most_buckets)
     : watch_(sensors), table_(row_s, most_buckets) {
   for (std::size_t c = 0; c < kChannelCount; ++c)
-    columns_[c] = table_.add(key(c), std::string(kLabels[c].name), std::string(kLabels[c].unit));
-  phase_column_ = table_.add("recording.phase", "Phase", "1");
-  missing_column_ = table_.add("recording.missing", "Missing rows", "1");
+    columns_[c] =
+        table_.add(key(c), std::string(kChannelLabels[c].name), std::string(kChannelLabels[c].unit));
+  phase_column_ = table_.add("recording.phase", "", "1");
+  missing_column_ = table_.add("recording.missing", "", "1");
 }
 
-void RecordingTrace::take(std::uint64_t row, const SensorFrame& frame) {
+Phase RecordingTrace::take(std::uint64_t row, const SensorFrame& frame) {
   recorded_ = static_cast<std::uint16_t>(recorded_ | frame.present);
   table_.begin_row(row);
   for (std::size_t c = 0; c < kChannelCount; ++c)
@@ -93,6 +73,7 @@ void RecordingTrace::take(std::uint64_t row, const SensorFrame& frame) {
   next_row_ = row + 1;
   if (frame.has(Channel::kSpindleSpeed))
     take_speed(static_cast<double>(frame.get(Channel::kSpindleSpeed)), phase);
+  return phase;
 }
 
 void RecordingTrace::take_speed(double speed_rad_s, Phase phase) {
@@ -127,8 +108,8 @@ void RecordingTrace::add_to(std::uint64_t rows, int teeth, ReportPage& page) {
   for (std::size_t c = 0; c < kChannelCount; ++c) {
     if ((recorded_ >> c & 1U) == 0 || !is_shown(c)) continue;
     page.add(TimeChart{.section = "signals",
-                       .title = std::string(kLabels[c].name),
-                       .unit = std::string(kLabels[c].unit),
+                       .title = std::string(kChannelLabels[c].name),
+                       .unit = std::string(kChannelLabels[c].unit),
                        .lines = {key(c)}});
   }
 }

@@ -14,8 +14,8 @@ class RecordingTrace {
  public:
   RecordingTrace(double row_s, const Sensors& sensors, std::size_t most_buckets);
 
-  /// The frame of a row of the recording's grid; `row` increases.
-  void take(std::uint64_t row, const SensorFrame& frame);
+  /// The frame of a row of the recording's grid; `row` increases. Gives what the machine was doing.
+  Phase take(std::uint64_t row, const SensorFrame& frame);
   void take_all(const RecordingSignals& signals);
   /// `rows`: of the whole grid. `teeth`: of the tool; 0: unknown.
   void add_to(std::uint64_t rows, int teeth, ReportPage& page);
@@ -34,6 +34,9 @@ class RecordingTrace {
   /// Of the magnitude of the spindle speed in the air and in the cut: count, sum, sum of squares.
   std::array<std::array<double, 3>, 2> speed_{};
 };
+
+/// A spindle that stands this long between two cuts may have been given another tool.
+inline constexpr double kToolChangeS = 2.0;
 
 /// 0: the machine file describes no tool.
 int teeth_of(const MachineDescription& machine);

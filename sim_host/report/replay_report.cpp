@@ -13,7 +13,7 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kMostEvents = 200;
-constexpr std::size_t kSeriesOfMonitor = 8;
+constexpr std::size_t kSeriesOfMonitor = 6;
 constexpr double kTwoSided95 = 1.96;
 
 /// From what one would rather overlook to what one must not: a bucket shows the worst.
@@ -28,7 +28,7 @@ double rank_of(HealthState state) {
 
 std::size_t buckets_of(const RecordingInfo& recording) {
   const auto recorded = static_cast<std::size_t>(std::popcount(recording.recorded));
-  return buckets_for(recorded + 2 + 2 * kSeriesPerTrace + kSeriesOfMonitor + kMonitorHypotheses);
+  return buckets_for(recorded + 2 * kSeriesPerTrace + kSeriesOfMonitor + kMonitorHypotheses);
 }
 
 /// Of the monitor's exponential mean over pairs of innovations.
@@ -55,8 +55,8 @@ ReplayReport::ReplayReport(const RecordingReader& recording, const MachineDescri
               monitor_.add("monitor.wear", "over the commanded one", "1"),
               monitor_.add("monitor.wear_band", "2 standard errors", "1"),
               monitor_.add("monitor.ratio", "monitor on the board", "1"),
-              monitor_.add("monitor.state", "State", "1"),
-              monitor_.add("monitor.gated", "Rejected by the gate", "1")};
+              monitor_.add("monitor.state", "", "1"),
+              monitor_.add("monitor.gated", "", "1")};
   const MonitorConfiguration& c = machine.configuration;
   if (!machine.has_contact || c.rule == DecisionRule::kThesis) return;
   for (std::size_t j = 0; j < c.grid.count; ++j)
@@ -69,13 +69,24 @@ void ReplayReport::take(const SensorFrame& frame, const BoardMonitor& monitor) {
   if (!(place >= static_cast<double>(rows_))) return;  // a repeated frame, or one from before
   const auto row = static_cast<std::uint64_t>(place);
   rows_ = row + 1;
-  recording_.take(row, frame);
+  note_stop(recording_.take(row, frame));
   model_.take(row, frame, [this](Axis axis, const Innovation& v, double measured) {
     traces_[axis == Axis::kSpindle ? 0 : 1].take(v, measured);
   });
   monitor_.begin_row(row);
   take_monitor(frame, monitor);
   note_change(monitor.health());
+}
+
+void ReplayReport::note_stop(Phase phase) {
+  stopped_rows_ = phase == Phase::kIdle ? stopped_rows_ + 1 : 0;
+  may_be_another_tool_ |= static_cast<double>(stopped_rows_) >= kToolChangeS * rate_hz_;
+}
+
+void ReplayReport::take_wear(double ratio) {
+  if (may_be_another_tool_) wear_.restart();
+  may_be_another_tool_ = false;
+  wear_.take(static_cast<double>(rows_ - 1) / rate_hz_, ratio);
 }
 
 void ReplayReport::note_change(const Health& health) {
@@ -88,7 +99,9 @@ void ReplayReport::note_change(const Health& health) {
   events_.push_back({{"time_s", reader_.tally().duration_s},
                      {"state", name_of(health.state)},
                      {"reason", reason.name},
-                     {"sentence", reason.sentence}});
+                     {"sentence", reason.sentence},
+                     {"cause", reason.cause},
+                     {"next_step", reason.next_step}});
 }
 
 void ReplayReport::take_monitor(const SensorFrame& frame, const BoardMonitor& monitor) {
@@ -109,6 +122,7 @@ void ReplayReport::take_monitor(const SensorFrame& frame, const BoardMonitor& mo
   monitor_.set(columns_.error, chip_load - error, chip_load + error);
   if (commanded_mm_ > 0.0) {
     monitor_.set(columns_.wear, chip_load / commanded_mm_);
+    take_wear(chip_load / commanded_mm_);
     monitor_.set(columns_.wear_error, (chip_load - error) / commanded_mm_,
                  (chip_load + error) / commanded_mm_);
   }
@@ -127,6 +141,32 @@ ReportPage& ReplayReport::finish(const ReplayResult& result) {
   add_monitor_charts(result);
   page_.set_span(seconds(result.info.start_us), static_cast<double>(rows_) / rate_hz_, rate_hz_);
   return page_;
+}
+
+void ReplayReport::add_wear_charts(const WearLimits& limits) {
+  page_.add(TimeChart{.section = "wear",
+                      .title = "Chip load",
+                      .unit = "mm",
+                      .lines = {"monitor.commanded", "monitor.chip_load"},
+                      .band = "monitor.chip_load_band"});
+  TimeChart wear{.section = "wear",
+                 .title = "Wear: the chip load that the torque looks like, over the commanded one",
+                 .unit = "1",
+                 .lines = {"monitor.wear"},
+                 .band = "monitor.wear_band",
+                 .limits = {{limits.replace_ratio, "REPLACE"},
+                            {limits.watch_ratio, "WATCH"},
+                            {1.0, "sharp"},
+                            {limits.low_ratio, "too little"}}};
+  page_.part("wear_trend") = nullptr;
+  if (const auto line = wear_.line()) {
+    wear.segments = {{line->from_s, line->at_from, line->to_s, line->at(line->to_s), "trend"}};
+    page_.part("wear_trend") = {{"from_s", line->from_s},
+                                {"to_s", line->to_s},
+                                {"slope_per_s", line->slope_per_s},
+                                {"standard_error_per_s", line->standard_error_per_s}};
+  }
+  page_.add(wear);
 }
 
 void ReplayReport::add_monitor_charts(const ReplayResult& result) {
@@ -148,21 +188,7 @@ void ReplayReport::add_monitor_charts(const ReplayResult& result) {
                       .limits = {{1.0 - ratio_bound(), ""}, {1.0 + ratio_bound(), "95 %"}},
                       .scale = "log"});
   if (!result.has_contact) return;
-  page_.add(TimeChart{.section = "wear",
-                      .title = "Chip load",
-                      .unit = "mm",
-                      .lines = {"monitor.commanded", "monitor.chip_load"},
-                      .band = "monitor.chip_load_band"});
-  const WearLimits& limits = result.configuration.wear;
-  page_.add(TimeChart{.section = "wear",
-                      .title = "Wear: the chip load that the torque looks like, over the commanded one",
-                      .unit = "1",
-                      .lines = {"monitor.wear"},
-                      .band = "monitor.wear_band",
-                      .limits = {{limits.replace_ratio, "REPLACE"},
-                                 {limits.watch_ratio, "WATCH"},
-                                 {1.0, "sharp"},
-                                 {limits.low_ratio, "too little"}}});
+  add_wear_charts(result.configuration.wear);
   TimeChart bank{.section = "hypotheses", .title = "Probability of each chip load", .unit = "1", .lines = {}};
   for (std::size_t j = 0; j < probability_.size(); ++j)
     bank.lines.push_back(fmt::format("monitor.probability.{}", j));

@@ -8,6 +8,7 @@
 #include "sim_host/report/live_model.hpp"
 #include "sim_host/report/model_trace.hpp"
 #include "sim_host/report/recording_trace.hpp"
+#include "sim_host/report/wear_trend.hpp"
 
 namespace morepro::host {
 
@@ -29,6 +30,10 @@ class ReplayReport {
     std::size_t chip_load, error, commanded, wear, wear_error, ratio, state, gated;
   };
   void take_monitor(const SensorFrame& frame, const BoardMonitor& monitor);
+  void take_wear(double ratio);
+  /// After a stop that is long enough for it the tool may be another one.
+  void note_stop(Phase phase);
+  void add_wear_charts(const WearLimits& limits);
   void note_change(const Health& health);
   void add_monitor_charts(const ReplayResult& result);
 
@@ -46,6 +51,9 @@ class ReplayReport {
   HealthState state_ = HealthState::kNotEnoughData;
   std::uint16_t reason_ = 0;
   std::uint64_t changes_ = 0;
+  WearTrend wear_;
+  std::uint64_t stopped_rows_ = 0;
+  bool may_be_another_tool_ = false;
   Json events_ = Json::array();
   std::vector<std::size_t> probability_;
 };

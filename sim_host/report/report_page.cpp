@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "lib/wire/crc32.hpp"
-#include "sim_host/page/page.hpp"
 #include "sim_host/support/input_file.hpp"
 #include "sim_host/support/user_error.hpp"
 
@@ -27,8 +26,8 @@ Json file_of(const std::string& path) {
 
 }  // namespace
 
-ReportPage::ReportPage(std::string_view command) {
-  if (const std::string why = why_no_page(k_report_page); !why.empty()) throw UserError(why);
+ReportPage::ReportPage(std::string_view command, const PageParts& parts) : parts_(parts) {
+  if (const std::string why = why_no_page(parts_); !why.empty()) throw UserError(why);
   data_ = {{"schema", "morepro.report/1"},
            {"command", command},
            {"result", nullptr},
@@ -48,12 +47,21 @@ void ReportPage::add(const TimeChart& chart) {
   Json limits = Json::array();
   for (const ChartLimit& limit : chart.limits)
     limits.push_back({{"value", limit.value}, {"label", limit.label}});
+  Json marks = Json::array();
+  for (const ChartMark& mark : chart.marks) marks.push_back({{"x", mark.time_s}, {"label", mark.label}});
+  Json segments = Json::array();
+  for (const ChartSegment& s : chart.segments)
+    segments.push_back({{"from", {{"x", s.from_s}, {"y", s.from}}},
+                        {"to", {{"x", s.to_s}, {"y", s.to}}},
+                        {"label", s.label}});
   data_["charts"].push_back({{"section", chart.section},
                              {"title", chart.title},
                              {"unit", chart.unit},
                              {"lines", chart.lines},
                              {"band", chart.band.empty() ? Json(nullptr) : Json(chart.band)},
                              {"limits", std::move(limits)},
+                             {"marks", std::move(marks)},
+                             {"segments", std::move(segments)},
                              {"scale", chart.scale}});
 }
 
@@ -62,9 +70,10 @@ std::string ReportPage::html(std::string_view result, std::string_view command_l
   Json list = Json::array();
   for (const std::string& file : files)
     if (const Json entry = file_of(file); !entry["crc32"].is_null()) list.push_back(entry);
-  data_["origin"] = {{"command_line", command_line}, {"files", std::move(list)}};
+  data_["origin"] = {
+      {"program", "morepro " MOREPRO_VERSION}, {"command_line", command_line}, {"files", std::move(list)}};
   data_["result"] = Json::parse(result);
-  return page_html(k_report_page, data_.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return page_html(parts_, data_.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace morepro::host

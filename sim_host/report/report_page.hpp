@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim_host/page/page.hpp"
 #include "sim_host/report/series_table.hpp"
 
 namespace morepro::host {
@@ -17,6 +18,21 @@ struct ChartLimit {
   std::string label;
 };
 
+/// An upright line in a chart, `time_s` after the page's first row.
+struct ChartMark {
+  double time_s = 0.0;
+  std::string label;
+};
+
+/// A straight line from one point of a chart to another.
+struct ChartSegment {
+  double from_s = 0.0;
+  double from = 0.0;
+  double to_s = 0.0;
+  double to = 0.0;
+  std::string label;
+};
+
 /// A chart over time: names of series that are on the page, all on one grid.
 struct TimeChart {
   std::string section;  ///< of the page that shows it
@@ -25,6 +41,8 @@ struct TimeChart {
   std::vector<std::string> lines;
   std::string band{};  ///< a series whose smallest and largest values are drawn as an area; empty: none
   std::vector<ChartLimit> limits{};
+  std::vector<ChartMark> marks{};
+  std::vector<ChartSegment> segments{};
   std::string scale = "linear";  ///< or "log", or "asinh": linear up to 3, logarithmic beyond
 };
 
@@ -32,9 +50,9 @@ struct TimeChart {
 /// it again. The page shows the sections that it finds data for.
 class ReportPage {
  public:
-  /// `command`: "diagnose", "replay" or "identify". Throws UserError where this program was built without
-  /// pages.
-  explicit ReportPage(std::string_view command);
+  /// `command`: "diagnose", "replay" or "identify"; "diff" on its own page. Throws UserError where this
+  /// program was built without pages.
+  explicit ReportPage(std::string_view command, const PageParts& parts = k_report_page);
 
   void set_span(double start_s, double duration_s, double rate_hz);
   void add(const SeriesTable& table);
@@ -48,6 +66,7 @@ class ReportPage {
                                  const std::vector<std::string>& files);
 
  private:
+  const PageParts& parts_;
   Json data_;
 };
 

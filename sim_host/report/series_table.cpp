@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDataBytes = 2.4e6;                 // of a page of 3 MB
+constexpr double kDataBytes = 2.0e6;                 // of a page of 3 MB, of which 0.7 are code
 constexpr double kBytesPerBucket = 4.0 * 4.0 / 3.0;  // two 16-bit numbers in base64
 constexpr std::size_t kMostBuckets = 32768;          // more than any screen has columns
 constexpr double kSteps = 65534.0;
@@ -79,6 +79,7 @@ double SeriesTable::bucket_s() const {
 Json SeriesTable::json() const {
   Json all = Json::object();
   for (const Series& series : series_) {
+    if (series.label.empty()) continue;
     Json one{{"label", series.label}, {"unit", series.unit}, {"bucket_s", bucket_s()}};
     if (encode(series.pyramid, one)) all[series.id] = std::move(one);
   }

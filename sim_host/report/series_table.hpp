@@ -14,7 +14,8 @@ class SeriesTable {
  public:
   SeriesTable(double row_s, std::size_t most_buckets) : row_s_(row_s), most_buckets_(most_buckets) {}
 
-  /// Before the first row. Gives the index of the series.
+  /// Before the first row. Gives the index of the series. One without a label is not written: its pyramid is
+  /// looked at.
   std::size_t add(std::string id, std::string label, std::string unit);
 
   /// Rows before this one are complete; those that were never begun have no samples. `row` never decreases.

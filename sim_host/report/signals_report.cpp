@@ -24,7 +24,7 @@ bool has_axis(Axis axis, const RecordingSignals& signals, const MachineDescripti
 
 void SignalsReport::take_recording(const RecordingSignals& signals, const MachineDescription& machine) {
   const auto recorded = static_cast<std::size_t>(std::popcount(signals.recorded));
-  most_buckets_ = buckets_for(kAxes * kSeriesPerAxis + recorded + 2);
+  most_buckets_ = buckets_for(kAxes * kSeriesPerAxis + recorded);
   RecordingTrace trace(1.0 / signals.rate_hz, machine.configuration.sensors, most_buckets_);
   trace.take_all(signals);
   trace.add_to(signals.rows, teeth_of(machine), page_);

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
+import { clock, pictureOf, seek } from "./picture.mjs";
 import { columnsOf, Folder } from "./program.mjs";
 
 const PATH = "x_m,y_m,z_m,roll_deg,duration_s\n0.3,0.1,0.4,0,\n0.5,0.15,0.5,30,2\n0.45,0.3,0.55,-15,1.5\n";
@@ -32,12 +33,6 @@ after(async () => {
   folder?.remove();
 });
 
-const seek = (page, time) =>
-  page.$eval("#time", (slider, value) => {
-    slider.value = value;
-    slider.dispatchEvent(new Event("input", { bubbles: true }));
-  }, time);
-const clock = (page) => page.$eval("#clock", (output) => Number(output.dataset.value));
 const shown = (page, table) =>
   page.$$eval(`#${table} td.number`, (cells) => cells.map((cell) => Number(cell.dataset.value)));
 
@@ -57,26 +52,10 @@ async function assertFollows(page, rows, names) {
   }
 }
 
-/** How many colours the picture has: an empty one has the background alone. */
-const coloursOf = (page) =>
-  page.$eval("#view canvas", (canvas) => new Promise((resolve) => {
-    requestAnimationFrame(() => {
-      const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
-      const context = copy.getContext("2d");
-      // Of the frame that is being drawn: a canvas of WebGL keeps nothing.
-      document.getElementById("fit").click();
-      requestAnimationFrame(() => {
-        context.drawImage(canvas, 0, 0);
-        const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
-        resolve(new Set(pixels).size);
-      });
-    });
-  }));
-
 test("the drawn tool is where the trajectory has it", async () => {
   const { page, faults } = await openPage(browser, folder.file("page.html"));
   await assertFollows(page, columnsOf(folder.read("joints.csv")), ["d1_m", "d2_m", "d3_m", "t4_rad"]);
-  assert.ok((await coloursOf(page)) > 20, "the picture is empty");
+  assert.ok((await pictureOf(page)).colours > 20, "the picture is empty");
   assert.deepEqual(faults, []);
 });
 
@@ -85,7 +64,7 @@ test("a chain of eight joints is drawn and followed", async () => {
   const rows = columnsOf(folder.read("arm.csv"));
   const names = ["t1_rad", "t2_rad", "d3_m", "t4_rad", "t5_rad", "d6_m", "t7_rad", "t8_rad"];
   await assertFollows(page, rows, names);
-  assert.ok((await coloursOf(page)) > 20, "the picture is empty");
+  assert.ok((await pictureOf(page)).colours > 20, "the picture is empty");
   assert.deepEqual(faults, []);
 });
 
@@ -111,7 +90,7 @@ test("a curve, the keys and the slider lead to one time everywhere", async () =>
   await curve.click({ position: { x: width / 2, y: height / 2 } });
   // The curve's axis ends where the trajectory does; a click hits a pixel.
   assert.ok(Math.abs((await clock(page)) - 1.75) < (3.5 / width) * 2);
-  await page.focus("#view");
+  await page.focus("#scene");
   await page.keyboard.press("End");
   assert.equal(await clock(page), 3.5);
   await page.keyboard.press("Home");

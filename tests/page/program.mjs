@@ -27,10 +27,18 @@ export class Folder {
     return done.stdout;
   }
 
+  /** For a command that may fail. */
+  runWithStatus(words) {
+    return spawnSync(process.env.MOREPRO, words, { cwd: this.path }).status;
+  }
+
   remove() {
     rmSync(this.path, { recursive: true, force: true });
   }
 }
+
+/** The same of a recording, which may begin with lines of metadata. */
+export const tableOf = (text) => columnsOf(text.split("\n").filter((line) => !line.startsWith("#")).join("\n"));
 
 /** Columns of a CSV by name. */
 export function columnsOf(text) {

@@ -3,14 +3,15 @@ import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
-import { columnsOf, Folder } from "./program.mjs";
+import { hover, inkOf, pageSeries, shownTime, waitForCharts } from "./charts.mjs";
+import { Folder, tableOf } from "./program.mjs";
 
 const MOST_BYTES = 3e6;
 const COMMON = ["verdict", "timeline", "model", "residuals"];
 const SECTIONS = {
-  diagnose: [...COMMON, "gap", "parameters", "signals", "reproduce"],
-  replay: [...COMMON, "gap", "hypotheses", "parameters", "wear", "budget", "signals", "reproduce"],
-  identify: [...COMMON, "gap", "parameters", "signals", "reproduce"],
+  diagnose: [...COMMON, "gap", "parameters", "signals", "machine", "reproduce"],
+  replay: [...COMMON, "gap", "hypotheses", "parameters", "wear", "budget", "signals", "machine", "reproduce"],
+  identify: [...COMMON, "gap", "parameters", "signals", "machine", "reproduce"],
 };
 const LOOKS = {
   diagnose: { size: TABLET, colorScheme: "light" },
@@ -52,26 +53,6 @@ after(async () => {
 
 const open = (command, options) => openPage(browser, folder.file(`${command}.html`), options);
 const json = (command) => JSON.parse(folder.read(`${command}.json`));
-const shownTime = (page) =>
-  page.$eval("#shown", ({ dataset }) => [Number(dataset.from), Number(dataset.to)]);
-
-/** All charts, wherever they are on the page. */
-async function waitForCharts(page) {
-  await page.waitForFunction(() =>
-    [...document.querySelectorAll(".slot")].every((slot) => slot.querySelector("canvas")));
-}
-
-/** Pixels that are neither background nor grid: far from grey. */
-const inkOf = (page, selector) =>
-  page.$$eval(`${selector} canvas`, (canvases) => canvases.map((canvas) => {
-    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-    let ink = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      const [red, green, blue, alpha] = [data[i], data[i + 1], data[i + 2], data[i + 3]];
-      if (alpha > 150 && Math.max(red, green, blue) - Math.min(red, green, blue) > 60) ++ink;
-    }
-    return ink;
-  }));
 
 /** The verdict as the JSON has it. */
 const VERDICTS = {
@@ -106,6 +87,37 @@ for (const command of COMMANDS) {
   });
 }
 
+// A tool gets blunt, faster and faster: how the page says what the monitor says, colour included.
+for (const { wear, state, mood } of [
+  { wear: 0, state: "HEALTHY", mood: "good" },
+  { wear: 0.02, state: "WATCH", mood: "watch" },
+  { wear: 0.05, state: "REPLACE", mood: "bad" },
+]) {
+  test(`replay of a tool that is ${state}: verdict, reason and states over time are those of the JSON`, async () => {
+    const name = `tool_${state}`;
+    folder.run("simulate", "--profile", "cutting", "--duration", "3", "--effect", `tool_wear_ramp=${wear}`, "--out",
+      `${name}.csv`, "--progress", "off");
+    folder.run("replay", `${name}.csv`, "--report", `${name}.html`, "--json", `${name}.json`, "--progress", "off");
+    const { health } = json(name);
+    assert.equal(health.state, state);
+    const { page, faults } = await open(name);
+    assert.equal(await page.$eval(".badge", ({ dataset }) => dataset.verdict), health.state);
+    assert.equal(await page.$eval(".badge", ({ textContent }) => textContent.slice(1)), state);
+    assert.ok(await page.$(`.badge.${mood}`));
+    const text = await page.$eval("#verdict", (section) => section.textContent);
+    for (const sentence of [health.reason, health.likely_cause, health.next_step])
+      assert.ok(text.includes(sentence), sentence);
+    const listed = await page.$$eval("#timeline tbody tr", (rows) => rows.map((row) => row.cells[1].textContent));
+    assert.ok(listed.includes(state) && listed.includes("REPLACE") === (state === "REPLACE"), `${listed}`);
+    const { slope_per_s: slope, standard_error_per_s: error } = await page.evaluate(() =>
+      JSON.parse(document.getElementById("data").textContent).wear_trend);
+    assert.equal(slope > 2 * error, wear > 0);
+    const trend = await page.$eval("#trend", ({ textContent }) => textContent);
+    assert.equal(trend.includes("none that can be seen"), wear === 0, trend);
+    assert.deepEqual(faults, []);
+  });
+}
+
 test("dragging over one chart changes the time of all, a double click restores it", async () => {
   const { page, faults } = await open("diagnose");
   await page.waitForSelector("#model .slot:last-child canvas");
@@ -123,12 +135,7 @@ test("dragging over one chart changes the time of all, a double click restores i
   const pixel = (2 * SECONDS) / width;
   const [from, to] = await shownTime(page);
   assert.ok(Math.abs(from - 0.25 * SECONDS) < pixel && Math.abs(to - 0.5 * SECONDS) < pixel, `${from} .. ${to}`);
-  const hover = async (selector) => {
-    const place = await page.$(`${selector} .u-over`);
-    await place.scrollIntoViewIfNeeded();
-    await place.hover({ position: { x: width / 2, y: 20 } });
-  };
-  await hover("#model");
+  await hover(page, "#model", width / 2);
   // The cursor stands at one time in all charts that are on the page.
   const times = await page.$$eval("#timeline .u-legend, #model .u-legend", (legends) =>
     legends.map((legend) => Number.parseFloat(legend.querySelector(".u-value").textContent)));
@@ -156,21 +163,18 @@ test("keys and buttons move the time; nothing zooms beyond the recording", async
 
 test("samples that the page shows are those of the recording, and missing rows are a hole", async () => {
   const { page } = await open("replay");
-  const columns = columnsOf(folder.read("run.csv").split("\n").filter((line) => !line.startsWith("#")).join("\n"));
-  const series = await page.evaluate(() =>
-    JSON.parse(document.getElementById("data").textContent).series["recording.armature_voltage_v"]);
-  const steps = new Uint16Array(Uint8Array.from(atob(series.data), (c) => c.charCodeAt(0)).buffer);
-  const step = (series.high - series.low) / 65534;
+  const columns = tableOf(folder.read("run.csv"));
+  const series = await pageSeries(page, "recording.armature_voltage_v");
   const inBucket = (i) => columns.armature_voltage_v.filter((_, row) =>
     Math.floor(Math.round(columns.time_s[row] * 1e4) / Math.round(series.bucket_s * 1e4)) === i);
   for (const i of [0, 7, Math.floor(0.9 / series.bucket_s), Math.floor(2.7 / series.bucket_s)]) {
     const values = inBucket(i);
     // One step of the 16 bits, and the float that the frame holds.
-    assert.ok(Math.abs(series.low + steps[2 * i] * step - Math.min(...values)) < 1.01 * step + 1e-5, `bucket ${i}`);
-    assert.ok(Math.abs(series.low + steps[2 * i + 1] * step - Math.max(...values)) < 1.01 * step + 1e-5, `bucket ${i}`);
+    const { low, high } = series.bucket(i);
+    assert.ok(Math.abs(low - Math.min(...values)) < 1.01 * series.step + 1e-5, `bucket ${i}`);
+    assert.ok(Math.abs(high - Math.max(...values)) < 1.01 * series.step + 1e-5, `bucket ${i}`);
   }
-  const hole = Math.floor((DROPOUT[0] + DROPOUT[1]) / 2 / series.bucket_s);
-  assert.deepEqual([steps[2 * hole], steps[2 * hole + 1]], [65535, 65535]);
+  assert.equal(series.at((DROPOUT[0] + DROPOUT[1]) / 2), null);
 });
 
 test("where, which and how far are those of the JSON", async () => {

@@ -48,7 +48,7 @@ test("every figure has its curves, its values and its sentence", async () => {
 
 test("the machine of figure 18 moves along the path", async () => {
   const { page, faults } = await openPage(browser, folder.file("page.html"));
-  await page.focus("#view");
+  await page.focus("#scene");
   await page.keyboard.press("End");
   const tool = await page.$$eval("#tool td.number", (cells) => cells.map((cell) => Number(cell.dataset.value)));
   const last = await page.$$eval("#figure-14 .chart:first-of-type .u-value", (values) =>

@@ -1,34 +1,13 @@
-import {
-  AxesHelper, BoxGeometry, ConeGeometry, CylinderGeometry, Group, Mesh, MeshStandardMaterial, Vector3,
-} from "three";
+import { AxesHelper, Group, Vector3 } from "three";
+import { BOX, DRUM, paint, solid, stretch, TIP } from "../shared/solids.js";
 import { seriesColor } from "../shared/theme.js";
 import { framesOf } from "./chain.js";
-
-const BOX = new BoxGeometry(1, 1, 1);
-const DRUM = new CylinderGeometry(1, 1, 1, 32).rotateX(Math.PI / 2);
-const TIP = new ConeGeometry(1, 1, 32).rotateX(Math.PI / 2).translate(0, 0, -0.5);
-
-function solid(geometry, material, ...size) {
-  const mesh = new Mesh(geometry, material);
-  mesh.scale.set(...size);
-  return mesh;
-}
-
-/** Stretches a box over a way along z (or x) of its frame; a way of no length is not drawn. */
-function stretch(mesh, from, to, along, width) {
-  const length = Math.abs(to - from);
-  mesh.visible = length > 1e-9;
-  mesh.scale.set(width, width, width);
-  mesh.position.set(0, 0, 0);
-  mesh.scale[along] = Math.max(length, 1e-9);
-  mesh.position[along] = (from + to) / 2;
-}
 
 /** One joint with the link behind it, drawn in the frame before the joint. */
 class JointBody {
   constructor(joint, index, values, size) {
     Object.assign(this, { joint, size, group: new Group(), arm: new Group() });
-    const material = new MeshStandardMaterial({ color: seriesColor(index), roughness: 0.55, metalness: 0.1 });
+    const material = paint(seriesColor(index));
     this.material = material;
     this.index = index;
     for (const group of [this.group, this.arm]) group.matrixAutoUpdate = false;
@@ -73,7 +52,7 @@ export class Machine {
     for (const body of this.bodies) this.root.add(body.group, body.arm);
     this.tool = new Group();
     this.tool.matrixAutoUpdate = false;
-    this.tip = new MeshStandardMaterial({ color: "#8d99a6", roughness: 0.35, metalness: 0.6 });
+    this.tip = paint("#8d99a6", { roughness: 0.35, metalness: 0.6 });
     this.tool.add(solid(TIP, this.tip, 1.3 * size, 1.3 * size, 3.5 * size), new AxesHelper(5 * size));
     this.root.add(this.tool);
   }

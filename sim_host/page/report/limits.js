@@ -2,11 +2,11 @@
 import { shown } from "../shared/number.js";
 import { color } from "../shared/theme.js";
 
-function line(plot, draw) {
+function line(plot, draw, tint = color("muted")) {
   const { ctx: context } = plot;
   context.save();
-  context.strokeStyle = color("muted");
-  context.fillStyle = color("muted");
+  context.strokeStyle = tint;
+  context.fillStyle = tint;
   context.lineWidth = devicePixelRatio;
   context.font = `${11 * devicePixelRatio}px system-ui`;
   context.setLineDash([6 * devicePixelRatio, 4 * devicePixelRatio]);
@@ -16,8 +16,19 @@ function line(plot, draw) {
   context.restore();
 }
 
+/** Readable where a curve runs through it. */
+function label(context, text, x, y) {
+  context.save();
+  context.setLineDash([]);
+  context.lineWidth = 3 * devicePixelRatio;
+  context.strokeStyle = color("panel");
+  context.strokeText(text, x, y);
+  context.fillText(text, x, y);
+  context.restore();
+}
+
 export function limitPlugin(limits) {
-  const one = (plot, { value, label }) => {
+  const one = (plot, { value, label: text }) => {
     const y = plot.valToPos(value, "y", true);
     const { left, top, width, height } = plot.bbox;
     if (!(y >= top && y <= top + height)) return;
@@ -25,7 +36,7 @@ export function limitPlugin(limits) {
       context.moveTo(left, y);
       context.lineTo(left + width, y);
       context.textAlign = "right";
-      context.fillText(label, left + width - 4, y - 3);
+      label(context, text, left + width - 4, y - 3);
     });
   };
   return { hooks: { draw: (plot) => limits.forEach((limit) => one(plot, limit)) } };
@@ -33,7 +44,7 @@ export function limitPlugin(limits) {
 
 /** `marks`: [{x, label}]; labels that would overlap take turns in height. */
 export function markPlugin(marks) {
-  const one = (plot, { x, label }, index) => {
+  const one = (plot, { x, label: text }, index) => {
     const at = plot.valToPos(x, "x", true);
     const { left, top, width, height } = plot.bbox;
     if (!(at >= left && at <= left + width)) return;
@@ -41,10 +52,34 @@ export function markPlugin(marks) {
       context.moveTo(at, top);
       context.lineTo(at, top + height);
       context.textAlign = "left";
-      context.fillText(label, at + 3, top + (12 + 13 * (index % 3)) * devicePixelRatio);
+      label(context, text, at + 3, top + (12 + 13 * (index % 3)) * devicePixelRatio);
     });
   };
   return { hooks: { draw: (plot) => marks.forEach((mark, index) => one(plot, mark, index)) } };
+}
+
+/** `segments`: [{from: {x, y}, to: {x, y}, label}]. */
+export function segmentPlugin(segments) {
+  const one = (plot, { from, to, label: text }) => {
+    const { left, top, width, height } = plot.bbox;
+    const [start, end] = [from, to].map(({ x, y }) => [plot.valToPos(x, "x", true), plot.valToPos(y, "y", true)]);
+    line(plot, (context) => {
+      context.save();
+      context.beginPath();
+      context.rect(left, top, width, height);
+      context.clip();
+      context.beginPath();
+      context.lineWidth = 2 * devicePixelRatio;
+      context.moveTo(...start);
+      context.lineTo(...end);
+      context.stroke();
+      context.textAlign = "right";
+      label(context, text, Math.min(end[0], left + width) - 4, end[1] - 6 * devicePixelRatio);
+      context.restore();
+      context.beginPath();
+    }, color("text"));
+  };
+  return { hooks: { draw: (plot) => segments.forEach((segment) => one(plot, segment)) } };
 }
 
 /** A range that holds data and limits with a margin. */

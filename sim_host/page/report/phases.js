@@ -16,6 +16,19 @@ export function spans({ runs, bucket_s }, end) {
   }));
 }
 
+/** The span of a time: the last that begins before it. */
+export function spanAt(list, time) {
+  let low = 0;
+  let high = list.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (list[middle].from <= time) low = middle;
+    else high = middle - 1;
+  }
+  const found = list[low];
+  return found && time >= found.from && time <= found.to ? found : undefined;
+}
+
 /** A spindle that stands long enough between two cuts may have been given another tool. */
 function withToolChanges(list, least) {
   const firstCut = list.findIndex(({ value }) => value === CUT);

@@ -22,12 +22,12 @@ export const reproduce = {
   id: "reproduce",
   title: "How to reproduce",
   build(place, { data, result, command }) {
-    const { command_line: line, files } = data.origin;
+    const { program, command_line: line, files } = data.origin;
     const save = element("button", { className: "primary", id: "download", text: "Download the result (JSON)" });
     save.addEventListener("click", () => download(`${command}.json`, `${JSON.stringify(result, null, 2)}\n`));
     place.append(element("pre", {}, element("code", { text: line })),
       element("ul", {}, ...files.map((file) => element("li", { text: fileText(file) }))),
-      element("p", { className: "muted", text: "The CRC-32 is that of zlib and gzip." }),
+      element("p", { className: "muted", text: `${program}. The CRC-32 is that of zlib and gzip.` }),
       element("p", { className: "buttons" }, save, copyButton(line)));
   },
 };

@@ -49,6 +49,14 @@ class Series {
     while (this.levels.length <= index) this.levels.push(halved(this.levels.at(-1)));
     return this.levels[index];
   }
+
+  /** The middle of the finest bucket that a time lies in; null where it holds no sample. */
+  at(time) {
+    const { lows, highs } = this.level(0);
+    const i = Math.min(Math.floor(time / this.source.bucket_s + 1e-6), lows.length - 1);
+    const value = 0.5 * (lows[i] + highs[i]);
+    return Number.isNaN(value) ? null : value;
+  }
 }
 
 /** All signals by name. A page has one. */

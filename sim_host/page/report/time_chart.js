@@ -1,9 +1,11 @@
 import { addChart } from "../shared/chart.js";
 import { shown } from "../shared/number.js";
 import { color } from "../shared/theme.js";
-import { limitPlugin, markPlugin, readableTicks, yScale } from "./limits.js";
+import { limitPlugin, markPlugin, readableTicks, segmentPlugin, yScale } from "./limits.js";
 import { phasePlugin } from "./phases.js";
 
+/** The cursor that all charts over time share. */
+export const CURSOR = "time";
 const HEIGHT = 190;
 const AXIS_PX = 80;
 const COLORS = 8;
@@ -13,6 +15,8 @@ const LOOKS = {
   commanded: { color: 7, dash: [8, 4] },
   datasheet: { color: 1, dash: [6, 3] },
   refit: { color: 4, dash: [2, 3] },
+  B: { color: 1, dash: [6, 3] },
+  "B − A": { color: 5 },
 };
 /** In these sections the last line is the best model that there is. */
 const WITH_MODEL = ["model", "residuals", "free_run", "wear"];
@@ -125,9 +129,10 @@ export function addTimeChart(place, chart, { store, view, phases, marks }) {
   };
   followView(slot, view, () => {
     const drawn = addChart(slot, {
-      title: chart.title, x: "time, s", y: chart.unit, height: HEIGHT, sync: "time",
+      title: chart.title, x: "time, s", y: chart.unit, height: HEIGHT, sync: CURSOR,
       series: seriesOf(lines, bands, chart.section), scales: { y: yScale(chart.scale, chart.limits) },
-      plugins: [phasePlugin(phases), limitPlugin(chart.limits), markPlugin(marks)], adjust,
+      plugins: [phasePlugin(phases), limitPlugin(chart.limits), markPlugin([...marks, ...chart.marks]),
+        segmentPlugin(chart.segments)], adjust,
     }, columns);
     drawn.refresh = () => drawn.plot.setData(columns(drawn.plot.width));
     return drawn;

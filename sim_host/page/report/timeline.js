@@ -2,8 +2,8 @@ import { addChart } from "../shared/chart.js";
 import { color } from "../shared/theme.js";
 import { tableOf } from "../shared/table.js";
 import { element } from "./element.js";
-import { nameSpans, paintSpans, PHASES, spans } from "./phases.js";
-import { followView, timeOptions } from "./time_chart.js";
+import { nameSpans, paintSpans, PHASES, spanAt, spans } from "./phases.js";
+import { CURSOR, followView, timeOptions } from "./time_chart.js";
 
 const ROW_PX = 30;
 const POINTS = 2000;
@@ -24,24 +24,18 @@ function strips({ data, phases }) {
   }
   const flag = (title, source, yes) => {
     const list0 = spans(source, end).map((span) => ({ ...span, value: span.value === 0 ? null : 1 }));
-    list.push({ title, spans: list0, names: ["", yes], fill: () => color("series-6") });
+    list.push({ title, spans: list0, names: ["", yes], fill: () => color("state-replace") });
   };
   if (data.gated) flag("Gate", data.gated, "a measurement was rejected");
-  flag("Dropouts", { ...data.missing, runs: data.missing.runs.map(([i, v]) => [i, v ?? 1]) }, "rows are missing");
+  if (data.missing)
+    flag("Dropouts", { ...data.missing, runs: data.missing.runs.map(([i, v]) => [i, v ?? 1]) }, "rows are missing");
+  for (const strip of data.strips ?? []) flag(strip.title, strip, strip.meaning);
   return list.filter((strip) => strip.spans.some(({ value }) => value != null));
 }
 
-/** Narrow spans are not looked for one by one: the last that begins before the time. */
 function nameAt({ spans: list, names }, time) {
-  let low = 0;
-  let high = list.length - 1;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (list[middle].from <= time) low = middle;
-    else high = middle - 1;
-  }
-  const found = list[low];
-  return found && found.value != null && time >= found.from && time <= found.to ? names[found.value] : "–";
+  const value = spanAt(list, time)?.value;
+  return value == null ? "–" : names[value];
 }
 
 const stripPlugin = (list) => ({
@@ -70,7 +64,7 @@ function addStrips(place, list, context) {
   };
   followView(place, view, () => {
     const drawn = addChart(place, {
-      title: "What happened when", x: "time, s", y: "1", height: ROW_PX * list.length + 50, sync: "time",
+      title: "What happened when", x: "time, s", y: "1", height: ROW_PX * list.length + 50, sync: CURSOR,
       series: list.map((strip, i) => ({
         label: strip.title, color: 7,
         more: { points: { show: false },
@@ -88,6 +82,8 @@ const EVENTS = [
   ["state", (event) => event.state],
   ["code", (event) => event.reason],
   ["what it means", (event) => event.sentence],
+  ["likely cause", (event) => event.cause],
+  ["what to do", (event) => event.next_step],
 ];
 
 function addEvents(place, { listed, changes }) {
@@ -106,6 +102,7 @@ export const timeline = {
   id: "timeline",
   title: "Timeline",
   build(place, context) {
+    if (!context.view) return false;
     const list = strips(context);
     const has = (title) => list.some((strip) => strip.title === title);
     if (list.length > 0) {
@@ -115,7 +112,7 @@ export const timeline = {
     }
     const words = [];
     if (!has("Phase")) words.push(NO_PHASES);
-    if (!has("Dropouts")) words.push(WHOLE);
+    if (context.data.missing && !has("Dropouts")) words.push(WHOLE);
     if (context.data.gated && !has("Gate")) words.push(NEVER_GATED);
     if (words.length > 0) place.append(element("p", { className: "muted", text: words.join(" ") }));
     if (context.data.events) addEvents(place, context.data.events);

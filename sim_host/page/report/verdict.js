@@ -5,7 +5,7 @@ import { element, percent, spoken } from "./element.js";
 const MOODS = {
   no_gap: "good", HEALTHY: "good", identified: "good",
   parameter_error: "watch", WATCH: "watch", partly_identified: "watch", effect: "watch",
-  unexplained: "bad", REPLACE: "bad", SENSOR_FAULT: "bad", MODEL_GAP: "bad",
+  same: "good", differs: "bad", unexplained: "bad", REPLACE: "bad", SENSOR_FAULT: "bad", MODEL_GAP: "bad",
 };
 const SIGNS = { good: "✓", watch: "!", bad: "✕", unknown: "?" };
 
@@ -46,7 +46,7 @@ function identificationEvidence({ parameters, excitation, fit = [] }) {
 }
 
 /** The verdict as the JSON has it, a sentence, and what it rests on. */
-function verdictOf(command, result) {
+function verdictOf({ command, result }) {
   if (command === "diagnose")
     return { state: result.verdict, sentence: result.explanation, evidence: gapEvidence(result) };
   if (command === "replay")
@@ -64,18 +64,23 @@ function sentenceOf(text) {
   return /[.!?]$/.test(whole) ? whole : `${whole}.`;
 }
 
-export const verdict = {
-  id: "verdict",
-  title: "Verdict",
-  build(place, { command, result }) {
-    const { state, sentence, evidence } = verdictOf(command, result);
-    const mood = MOODS[state] ?? "unknown";
-    const badge = element("span", { className: `badge ${mood}` },
-      element("b", { text: SIGNS[mood], ariaHidden: "true" }), spoken(state).toUpperCase());
-    badge.dataset.verdict = state;
-    place.append(
-      element("p", { className: "strip" }, badge,
-        element("span", { className: "sentence", text: sentenceOf(sentence) })),
-      element("ul", {}, ...evidence.map((text) => element("li", { text: sentenceOf(text) }))));
-  },
-};
+/** `outcomeOf`: {state, sentence, evidence} of what sections are built from. */
+export function verdictSection(outcomeOf) {
+  return {
+    id: "verdict",
+    title: "Verdict",
+    build(place, context) {
+      const { state, sentence, evidence } = outcomeOf(context);
+      const mood = MOODS[state] ?? "unknown";
+      const badge = element("span", { className: `badge ${mood}` },
+        element("b", { text: SIGNS[mood], ariaHidden: "true" }), spoken(state).toUpperCase());
+      badge.dataset.verdict = state;
+      place.append(
+        element("p", { className: "strip" }, badge,
+          element("span", { className: "sentence", text: sentenceOf(sentence) })),
+        element("ul", {}, ...evidence.map((text) => element("li", { text: sentenceOf(text) }))));
+    },
+  };
+}
+
+export const verdict = verdictSection(verdictOf);

@@ -11,6 +11,13 @@ function axis(options) {
   return { stroke: color("muted"), grid, ticks: grid, font: "12px system-ui", ...options };
 }
 
+/** As many decimals as the step between ticks has: however far one zooms in, no two ticks look alike. */
+function stepTicks(_, ticks, __, ___, step) {
+  let decimals = 0;
+  while (decimals < 9 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) ++decimals;
+  return ticks.map((tick) => (tick == null ? null : String(Number(tick.toFixed(decimals)))));
+}
+
 /** The legend's values while nobody points anywhere; charts with a common time have that time's. */
 const LAST_VALUES = { hooks: { ready: (plot) => plot.setLegend({ idx: plot.data[0].length - 1 }) } };
 
@@ -22,7 +29,10 @@ function optionsOf({ x, series, height, sync, plugins = [], scales = {}, adjust 
     scales: { x: { time: false }, ...scales },
     cursor: { sync: sync ? { key: sync } : undefined, drag: { x: false, y: false }, points: { size: 7 } },
     legend: { live: true },
-    axes: [axis({ size: 30 }), axis({ size: 66, space: 26, values: (_, ticks) => ticks.map((tick) => shown(tick)) })],
+    axes: [
+      axis({ size: 30, space: 70, values: stepTicks }),
+      axis({ size: 66, space: 26, values: (_, ticks) => ticks.map((tick) => shown(tick)) }),
+    ],
     series: [
       { label: x, value: (_, value) => shown(value, 6) },
       ...series.map((one, index) => ({
@@ -69,6 +79,19 @@ export function addChart(place, description, data) {
   }).observe(body);
   charts.push(draw);
   return chart;
+}
+
+/** Calls back with x wherever the cursor stands in charts that share it. */
+export function onCursor(sync, action) {
+  const pub = (type, source, left) => {
+    if (type === "mousemove" && left >= 0) action(source.posToVal(left, "x"));
+  };
+  uPlot.sync(sync).sub({ pub });
+}
+
+/** Puts the cursor of all charts that share it at x; nobody is called back. */
+export function moveCursor(sync, x) {
+  for (const plot of uPlot.sync(sync).plots) plot.setCursor?.({ left: plot.valToPos(x, "x"), top: 0 }, false, false);
 }
 
 onThemeChange(() => charts.forEach((draw) => draw()));

@@ -1,11 +1,8 @@
 import {
-  Box3, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, GridHelper, HemisphereLight, Line,
-  LineBasicMaterial, LineDashedMaterial, Mesh, MeshBasicMaterial, PerspectiveCamera, Scene, SphereGeometry, Vector3,
-  WebGLRenderer,
+  Color, DirectionalLight, GridHelper, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { color, onThemeChange } from "../shared/theme.js";
-import { framesOf } from "./chain.js";
+import { color, onThemeChange } from "./theme.js";
 
 /** 1, 2 or 5 times a power of ten, near a tenth of a length. */
 function gridStep(length) {
@@ -13,30 +10,11 @@ function gridStep(length) {
   return [1, 2, 5, 10].find((step) => step * power >= length / 10) * power;
 }
 
-/** The room that the machine needs along its trajectory. */
-export function roomOf(joints, trajectory, tool) {
-  const room = new Box3().expandByPoint(new Vector3());
-  const stride = Math.max(1, Math.floor(trajectory.times.length / 200));
-  for (let row = 0; row < trajectory.times.length; row += stride) {
-    const values = trajectory.columns.map((column) => column[row]);
-    for (const frame of framesOf(joints, values)) room.expandByPoint(new Vector3().setFromMatrixPosition(frame));
-  }
-  tool[0].forEach((x, row) => room.expandByPoint(new Vector3(x, tool[1][row], tool[2][row])));
-  return room;
-}
-
-function lineOf(tool, material) {
-  const geometry = new BufferGeometry();
-  const points = tool[0].flatMap((x, row) => [x, tool[1][row], tool[2][row]]);
-  geometry.setAttribute("position", new Float32BufferAttribute(points, 3));
-  return new Line(geometry, material);
-}
-
-/** The picture: machine, path, grid and light. Drawn when something changed, not all the time. */
+/** The picture: things, grid and light. Drawn when something changed, not all the time. */
 export class View {
-  /** Throws where the browser has no WebGL. */
-  constructor(place, machine, room, { tool, points_m }) {
-    Object.assign(this, { place, machine, room, scene: new Scene(), isWanted: false });
+  /** `room`: a Box3 in m. Throws where the browser has no WebGL. */
+  constructor(place, room) {
+    Object.assign(this, { place, room, things: [], scene: new Scene(), isWanted: false });
     this.size = room.getSize(new Vector3()).length();
     this.renderer = new WebGLRenderer({ antialias: true });
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
@@ -46,30 +24,24 @@ export class View {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.addEventListener("change", () => this.draw());
     this.#addLight();
-    this.#addPath(tool, points_m);
-    this.scene.add(machine.root);
     this.#paint();
     this.fit();
     onThemeChange(() => this.#paint());
     new ResizeObserver(() => this.#resize()).observe(place);
   }
 
+  /** A thing has a `root` and takes its colours anew with `retint()`. */
+  add(thing) {
+    this.things.push(thing);
+    this.scene.add(thing.root);
+    thing.retint();
+    this.draw();
+  }
+
   #addLight() {
     const sun = new DirectionalLight("#ffffff", 2.2);
     sun.position.set(0.6, -1, 1.6);
     this.scene.add(sun, new HemisphereLight("#ffffff", "#8a93a0", 1.5));
-  }
-
-  #addPath(tool, points) {
-    this.way = lineOf(tool, new LineDashedMaterial({ dashSize: this.size / 80, gapSize: this.size / 120 }));
-    this.way.computeLineDistances();
-    this.trace = lineOf(tool, new LineBasicMaterial());
-    this.dots = points.map((point) => {
-      const dot = new Mesh(new SphereGeometry(this.size / 130, 20, 12), new MeshBasicMaterial());
-      dot.position.set(...point);
-      return dot;
-    });
-    this.scene.add(this.way, this.trace, ...this.dots);
   }
 
   /** Everything that follows the theme. */
@@ -81,14 +53,11 @@ export class View {
     this.grid = new GridHelper(lines * this.gridStep_m, lines, color("muted"), color("line")).rotateX(Math.PI / 2);
     this.grid.position.z = this.room.min.z;
     this.scene.add(this.grid);
-    this.way.material.color.set(color("muted"));
-    this.trace.material.color.set(color("warning"));
-    for (const dot of this.dots) dot.material.color.set(color("warning"));
-    this.machine.retint();
+    for (const thing of this.things) thing.retint();
     this.draw();
   }
 
-  /** Brings the whole trajectory into the picture. */
+  /** Brings the whole room into the picture. */
   fit() {
     this.#resize();
     const middle = this.room.getCenter(new Vector3());
@@ -107,11 +76,6 @@ export class View {
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(width, height);
     this.draw();
-  }
-
-  /** How many points of the path lie behind. */
-  showTrace(rows) {
-    this.trace.geometry.setDrawRange(0, rows);
   }
 
   /** Once per frame at most. */

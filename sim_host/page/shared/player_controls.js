@@ -1,10 +1,19 @@
 const byId = (id) => document.getElementById(id);
 
-/** Buttons, slider, and keys while the focus is in `place`. */
-export function addControls(place, player, view) {
+export const CONTROLS = `
+<div class="controls">
+<button id="play" class="primary" type="button">Play</button>
+<input id="time" type="range" min="0" step="any" value="0" aria-label="Time in s">
+<output id="clock" for="time"></output>
+<label>Speed <select id="speed"></select></label>
+<button id="fit" type="button" disabled>Fit view</button>
+</div>
+`;
+
+/** Buttons, slider, and keys while the focus is in `place`, which holds CONTROLS. `speeds`: 1 is as recorded. */
+export function addControls(place, player, speeds) {
   const [play, time, clock, speed] = ["play", "time", "clock", "speed"].map(byId);
-  time.min = player.start;
-  time.max = player.end;
+  speed.append(...speeds.map((value) => new Option(`${value} x`, value, value === 1, value === 1)));
   play.addEventListener("click", () => player.toggle());
   time.addEventListener("input", () => {
     const wanted = Number(time.value);
@@ -14,8 +23,6 @@ export function addControls(place, player, view) {
   speed.addEventListener("change", () => {
     player.speed = Number(speed.value);
   });
-  byId("fit").addEventListener("click", () => view?.fit());
-  byId("fit").disabled = !view;
   place.addEventListener("keydown", (event) => {
     if (event.target.matches("select, button, input")) return;
     const step = (player.end - player.start) / 100;
@@ -28,6 +35,8 @@ export function addControls(place, player, view) {
   });
   player.onChange(() => {
     play.textContent = player.isPlaying ? "Pause" : "Play";
+    time.min = player.start;
+    time.max = player.end;
     time.value = player.time;
     clock.textContent = `${player.time.toFixed(3)} of ${player.end.toFixed(3)} s`;
     clock.dataset.value = player.time;

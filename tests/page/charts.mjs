@@ -1,0 +1,46 @@
+// What the tests of pages with charts over time ask of them.
+
+/** All charts, wherever they are on the page. */
+export async function waitForCharts(page) {
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll(".slot")].every((slot) => slot.querySelector("canvas")));
+}
+
+/** Pixels that are neither background nor grid: far from grey. */
+export const inkOf = (page, selector) =>
+  page.$$eval(`${selector} canvas`, (canvases) => canvases.map((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    let ink = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [red, green, blue, alpha] = [data[i], data[i + 1], data[i + 2], data[i + 3]];
+      if (alpha > 150 && Math.max(red, green, blue) - Math.min(red, green, blue) > 60) ++ink;
+    }
+    return ink;
+  }));
+
+/** From and to, in s. */
+export const shownTime = (page) =>
+  page.$eval("#shown", ({ dataset }) => [Number(dataset.from), Number(dataset.to)]);
+
+/** Puts the cursor so many pixels into the first chart of a place. */
+export async function hover(page, selector, x) {
+  const place = await page.$(`${selector} .u-over`);
+  await place.scrollIntoViewIfNeeded();
+  await place.hover({ position: { x, y: 20 } });
+}
+
+/** One value of each of the legends: 0 is the time. */
+export const columnOf = (page, legends, column) =>
+  page.$$eval(legends, (all, i) => all.map((legend) =>
+    Number.parseFloat(legend.querySelectorAll(".u-value")[i].textContent)), column);
+
+/** A series of the page; `at` gives the smallest and largest value of a time's bucket, null where there is none. */
+export async function pageSeries(page, id) {
+  const series = await page.evaluate((name) =>
+    JSON.parse(document.getElementById("data").textContent).series[name], id);
+  const steps = new Uint16Array(Uint8Array.from(atob(series.data), (c) => c.charCodeAt(0)).buffer);
+  const step = (series.high - series.low) / 65534;
+  const bucket = (i) => (steps[2 * i] === 65535 ? null
+    : { low: series.low + steps[2 * i] * step, high: series.low + steps[2 * i + 1] * step });
+  return { ...series, step, bucket, at: (time) => bucket(Math.floor(time / series.bucket_s + 1e-6)) };
+}
