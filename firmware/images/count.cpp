@@ -2,29 +2,21 @@
 
 #include <array>
 
-#include "firmware/boards/almec/f405_registers.hpp"
-#include "firmware/boards/cortex_m/mmio.hpp"
 #include "firmware/semihosting/semihost.hpp"
+#include "instruction_counter.hpp"
 
 namespace morepro::count {
 namespace {
 
 using namespace firmware;
 
-/// Filters settle and caches of the code's own fill before anything counts.
-constexpr std::uint32_t kWarmUpCalls = 500;
-constexpr std::uint32_t kCountedCalls = 2000;
-
 std::array<char, 1024> arguments{};
 
-/// Under -icount shift=0 the emulated timer, without its prescaler, ticks once per instruction.
-void start_counter() { Mmio::write(f405::tim2::kPsc, 0); }
-std::uint32_t instructions() { return Mmio::read(f405::tim2::kCnt); }
-
-std::uint32_t count_call(void (*body)()) {
-  const std::uint32_t start = instructions();
+/// One copy, so that what it adds is the same for every function.
+[[gnu::noipa]] std::uint32_t count_call(void (*body)()) {
+  const std::uint32_t start = InstructionCounter::ticks();
   body();
-  return instructions() - start;
+  return InstructionCounter::instructions(start, InstructionCounter::ticks());
 }
 
 void do_nothing() {}
@@ -36,7 +28,7 @@ struct Figures {
 
 Figures count_calls(const Entry& entry, std::uint32_t overhead) {
   Figures figures;
-  for (std::uint32_t call = 0; call < kWarmUpCalls + kCountedCalls; ++call) {
+  for (std::uint32_t call = 0; call < kWarmUpCalls + entry.calls; ++call) {
     entry.prepare();
     const std::uint32_t counted = count_call(entry.body) - overhead;
     if (call < kWarmUpCalls) continue;
@@ -50,7 +42,7 @@ void report(const Entry& entry, std::uint32_t overhead) {
   const Figures figures = count_calls(entry, overhead);
   semihost::print(entry.name);
   semihost::print(" ");
-  semihost::print(figures.total / kCountedCalls / entry.per_call);
+  semihost::print(figures.total / entry.calls / entry.per_call);
   semihost::print(" ");
   semihost::print(figures.most / entry.per_call);
   semihost::print("\n");
@@ -67,7 +59,7 @@ const char* recording() { return arguments.data(); }
 int main() {
   using namespace morepro;
   if (!firmware::semihost::command_line(count::arguments)) firmware::semihost::exit(2);
-  count::start_counter();
+  firmware::InstructionCounter::start();
   const std::uint32_t overhead = count::count_call(count::do_nothing);
   for (const count::Entry* entry = count::Entry::first; entry != nullptr; entry = entry->next)
     count::report(*entry, overhead);

@@ -13,9 +13,12 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kFooter =
-    "Example: morepro bench --seconds 2 --json bench.json\n\n"
-    "Instructions, flash, RAM and stack of a board: ctest --preset almec -R 'count|budget|stack' -V";
+constexpr const char* kWords =
+    "Instructions, flash, RAM and stack of a board: python3 tests/budget/board_table.py";
+
+constexpr const char* kExamples =
+    "  morepro bench --seconds 0.05\n"
+    "  morepro bench --seconds 0.05 --json bench.json";
 
 struct BenchArguments {
   double seconds = 0.3;
@@ -71,7 +74,7 @@ void add_bench(CLI::App& program) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command =
       program.add_subcommand("bench", "time and memory of each part of the monitor on this machine");
-  command->footer(kFooter);
+  add_examples(*command, kWords, kExamples);
   command->add_option("--seconds", arguments->seconds, "for each unit")
       ->check(between(0.01, 60.0, "s"))
       ->capture_default_str();

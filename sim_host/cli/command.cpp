@@ -4,27 +4,22 @@
 
 #include <string_view>
 
-namespace morepro::host {
+#include "sim_host/support/printable.hpp"
 
-CLI::Validator between(double lowest, double highest, const std::string& unit) {
-  const std::string range = fmt::format("{} .. {}{}{}", lowest, highest, unit.empty() ? "" : " ", unit);
-  return CLI::Validator(
-      [lowest, highest, range](std::string& text) -> std::string {
-        double value = 0.0;
-        const bool is_inside = CLI::detail::lexical_cast(text, value) && value >= lowest && value <= highest;
-        return is_inside ? std::string{} : fmt::format("{} is not a number in {}", text, range);
-      },
-      range);
-}
+namespace morepro::host {
 
 void add_progress_option(CLI::App& command, std::string& mode) {
   command.add_option("--progress", mode, "show how far a long job is, on stderr")
-      ->check(CLI::IsMember({"auto", "off"}))
+      ->check(one_of({"auto", "off"}))
       ->capture_default_str();
 }
 
 void add_report_option(CLI::App& command, std::string& file) {
   command.add_option("--report", file, "page with the result and its evidence (HTML, one file, no network)");
+}
+
+void add_examples(CLI::App& command, std::string_view words, std::string_view examples) {
+  command.footer(fmt::format("{}{}Examples:\n{}", words, words.empty() ? "" : "\n\n", examples));
 }
 
 namespace {
@@ -53,6 +48,6 @@ void keep_command_line(int count, const char* const* words) {
 
 const std::string& command_line() { return kept_line(); }
 
-void warn(std::string_view sentence) { fmt::print(stderr, "morepro: warning: {}\n", sentence); }
+void warn(std::string_view sentence) { fmt::print(stderr, "morepro: warning: {}\n", printable(sentence)); }
 
 }  // namespace morepro::host

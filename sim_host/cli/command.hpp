@@ -1,6 +1,9 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
+
+#include "sim_host/cli/usage.hpp"
 
 namespace morepro::host {
 
@@ -19,14 +22,15 @@ void add_thesis(CLI::App& program);
 void add_bench(CLI::App& program);
 void add_completion(CLI::App& program);
 
-/// A number in [lowest, highest]; NaN is refused as well.
-CLI::Validator between(double lowest, double highest, const std::string& unit);
-
 /// --progress auto|off
 void add_progress_option(CLI::App& command, std::string& mode);
 
 /// --report FILE.html
 void add_report_option(CLI::App& command, std::string& file);
+
+/// What stands below the options in --help: words, may be empty, and examples, which work one after the other
+/// in an empty folder.
+void add_examples(CLI::App& command, std::string_view words, std::string_view examples);
 
 /// What was typed, quoted for a shell, so that it can be typed again: kept by main, shown in reports.
 void keep_command_line(int count, const char* const* words);

@@ -11,8 +11,10 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kFooter =
-    "Example: source <(morepro completion bash)     # in ~/.bashrc; zsh: the same in ~/.zshrc";
+constexpr const char* kWords =
+    "For every shell that is opened: the line below in ~/.bashrc; for zsh with 'zsh' in ~/.zshrc.";
+
+constexpr const char* kExamples = "  source <(morepro completion bash)";
 
 std::string effect_names() {
   std::vector<std::string_view> names;
@@ -85,8 +87,8 @@ void add_completion(CLI::App& program) {
   auto shell = std::make_shared<std::string>();
   CLI::App* command = program.add_subcommand(
       "completion", "print a script that completes commands, options and names in a shell");
-  command->footer(kFooter);
-  command->add_option("shell", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  add_examples(*command, kWords, kExamples);
+  command->add_option("shell", *shell, "bash or zsh")->required()->check(one_of({"bash", "zsh"}));
   command->callback([shell, &program] {
     if (*shell == "zsh")
       fmt::print("autoload -U +X compinit && compinit\nautoload -U +X bashcompinit && bashcompinit\n");

@@ -15,13 +15,18 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kFooter =
-    ".csv and .mrec as the READMEs say; .mat: MATLAB, written as version 5, read up to 7.3, one column "
-    "vector per\n"
-    "signal; .mcap: for Foxglove and PlotJuggler, JSON messages on the topic /morepro/frame.\n\n"
-    "Example: morepro convert run.csv run.mcap\n"
-    "         morepro convert DATA_EMPS.mat axis.csv --map time_s=t --map feed_position_m=qm \\\n"
-    "           --map 'feed_force_n=gtau*vir'";
+constexpr const char* kWords =
+    ".mat: MATLAB, written as version 5, read up to 7.3, one column vector per signal. .mcap: for Foxglove "
+    "and\n"
+    "PlotJuggler, JSON messages on the topic /morepro/frame. A MATLAB file with names of its own:\n"
+    "--map time_s=t --map feed_position_m=qm --map 'feed_force_n=gtau*vir'";
+
+constexpr const char* kExamples =
+    "  morepro simulate --duration 1 --out run.csv\n"
+    "  morepro convert run.csv run.mcap\n"
+    "  morepro convert run.csv run.mrec --machine reference\n"
+    "  morepro convert run.csv run.mat\n"
+    "  morepro convert run.mat half.csv --map 'feed_force_n=0.5*feed_force_n'";
 
 struct ConvertArguments {
   std::string in;
@@ -74,7 +79,7 @@ void add_convert(CLI::App& program) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       program.add_subcommand("convert", "convert a recording between formats, by file ending");
-  command->footer(kFooter);
+  add_examples(*command, kWords, kExamples);
   command->add_option("in", arguments->in, "recording, .csv, .mrec, .mat or .mcap")->required();
   command
       ->add_option("out", arguments->out,

@@ -21,6 +21,13 @@
 namespace morepro::host {
 namespace {
 
+constexpr const char* kExamples =
+    "  morepro simulate --profile rich --duration 2 --effect brush_voltage_drop=1 \\\n"
+    "    --datasheet-error 0.1 --machine-out datasheet.toml --out run.csv\n"
+    "  morepro diagnose run.csv --machine datasheet.toml --apply found.toml\n"
+    "  morepro diagnose run.csv --machine datasheet.toml --report gap.html\n"
+    "  morepro diagnose run.csv --bootstrap 0 --exclude drive_lag --exclude shaft_compliance --json - | head";
+
 struct DiagnoseArguments {
   std::string recording;
   std::string machine;
@@ -99,9 +106,10 @@ void add_diagnose(CLI::App& program) {
   command->add_option("--apply", arguments->apply, "write the machine with what was found (TOML)");
   add_report_option(*command, arguments->report);
   command->add_option("--seed", arguments->seed, "of the bootstrap")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->capture_default_str();
   add_progress_option(*command, arguments->progress);
+  add_examples(*command, "", kExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

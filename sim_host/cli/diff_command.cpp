@@ -18,15 +18,19 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kWords =
     "A is the baseline: a sample of B may differ by the greater of ABSOLUTE and RELATIVE times |A|. "
     "Recordings of\n"
     "any format and rate are compared at the rows of the slower one; files that end in .json are results.\n"
-    "Status 0: all within tolerance; 1: not.\n\n"
-    "Example: morepro diff before.csv after.mrec --rel-tol 1e-6 --tol feed_force_n=0.5,0.01\n"
-    "         morepro diff before.csv after.csv --rel-tol 1e-3 --report differences.html\n"
-    "         morepro diff before.csv logger.mat --time-tol 0.0005 --out differences.csv\n"
-    "         morepro diff before.json after.json --rel-tol 1e-9 --tol chip_load_mm.estimate=0.001";
+    "Status 0: all within tolerance; 1: not.";
+
+constexpr const char* kExamples =
+    "  morepro simulate --duration 1 --out before.csv && morepro convert before.csv after.mat\n"
+    "  morepro diff before.csv after.mat --rel-tol 1e-6 --tol feed_force_n=0.5,0.01\n"
+    "  morepro diff before.csv after.mat --rel-tol 1e-3 --report differences.html\n"
+    "  morepro diff before.csv after.mat --time-tol 0.0005 --out differences.csv\n"
+    "  morepro replay before.csv --json before.json && morepro replay after.mat --json after.json\n"
+    "  morepro diff before.json after.json --rel-tol 1e-6 --tol chip_load_mm.estimate=0.001";
 
 struct DiffArguments {
   std::string a;
@@ -108,7 +112,7 @@ void add_diff(CLI::App& program) {
   auto arguments = std::make_shared<DiffArguments>();
   CLI::App* command = program.add_subcommand(
       "diff", "compare two recordings or two results, signal by signal, within tolerances");
-  command->footer(kFooter);
+  add_examples(*command, kWords, kExamples);
   command->add_option("A", arguments->a, "baseline: a recording of any format, or a result (.json)")
       ->required();
   command->add_option("B", arguments->b, "what is compared with it")->required();

@@ -18,6 +18,11 @@
 namespace morepro::host {
 namespace {
 
+constexpr const char* kExamples =
+    "  morepro effects\n"
+    "  morepro effects feed_coulomb_friction\n"
+    "  morepro effects --machine thesis --json catalogue.json";
+
 using gap::EffectInfo;
 
 struct EffectsArguments {
@@ -52,11 +57,12 @@ std::string reference_text(const gap::ReferencePoint& point) {
 }
 
 void print_table(const EffectsArguments& arguments) {
+  const std::string reference = reference_text(reference_of(arguments));
   fmt::print("{:<31} {:<17} {:<12} {}\n", "effect", "acts on", "unit", "nothing to see without");
   for (const EffectInfo& info : gap::kEffects)
     fmt::print("{:<31} {:<17} {:<12} {}\n", info.name, name_of(info.group), info.unit, info.excitation);
   fmt::print("\nSizes of contact and feed effects hold at the reference point of '{}':\n{}\n",
-             arguments.machine, reference_text(reference_of(arguments)));
+             arguments.machine, reference);
   fmt::print("'morepro effects NAME': equation, look-alikes and what separates them.\n");
 }
 
@@ -73,12 +79,12 @@ void print_line(std::string_view what, std::string_view text) {
 
 void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
   const std::string aliases = aliases_of(info, ", ");
+  const std::string reference = reference_text(reference_of(arguments));
   print_line("effect", info.name);
   print_line("acts on", name_of(info.group));
   print_line("size a in", info.unit);
   print_line("equation", info.equation);
-  print_line("reference point",
-             fmt::format("{} ({})", reference_text(reference_of(arguments)), arguments.machine));
+  print_line("reference point", fmt::format("{} ({})", reference, arguments.machine));
   print_line("needs", info.excitation);
   print_line("looks like", aliases.empty() ? "no other" : aliases);
   print_line("separated by", info.separate_by);
@@ -130,6 +136,7 @@ void add_effects(CLI::App& program) {
                    "machine whose reference point is shown: 'reference', 'thesis' or a machine file")
       ->capture_default_str();
   command->add_option("--json", arguments->json, "write the catalogue as JSON; '-': on standard output");
+  add_examples(*command, "", kExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -18,15 +18,17 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kWords =
     "Spindle: armature_voltage_v, spindle_speed_rad_s, armature_current_a, and contact, chip_load_mm,\n"
     "tool_temperature_degc where there is a cut. Feed axis: feed_force_n, feed_speed_m_s or "
     "feed_position_m,\n"
-    "contact, engagement.\n\n"
-    "Example: morepro simulate --profile rich --duration 4 --datasheet-error 0.2 --machine-out "
-    "datasheet.toml \\\n"
-    "           --out run.csv\n"
-    "         morepro identify run.csv --machine datasheet.toml --apply identified.toml";
+    "contact, engagement.";
+
+constexpr const char* kExamples =
+    "  morepro simulate --profile rich --duration 4 --datasheet-error 0.2 --machine-out datasheet.toml --out "
+    "run.csv\n"
+    "  morepro identify run.csv --machine datasheet.toml --apply identified.toml\n"
+    "  morepro identify run.csv --filter derivatives";
 
 struct IdentifyArguments {
   std::string recording;
@@ -100,7 +102,7 @@ void add_identify(CLI::App& program) {
   auto arguments = std::make_shared<IdentifyArguments>();
   CLI::App* command = program.add_subcommand(
       "identify", "find the machine's parameters: value, standard error, identifiable or why not");
-  command->footer(kFooter);
+  add_examples(*command, kWords, kExamples);
   command->add_option("recording", arguments->recording, "recording, .csv, .mrec, .mat or .mcap")->required();
   command->add_option(
       "--machine", arguments->machine,
@@ -109,7 +111,7 @@ void add_identify(CLI::App& program) {
       ->add_option(
           "--filter", arguments->filter,
           "'states': from speeds and current; 'derivatives': from measured accelerations, as in the thesis")
-      ->check(CLI::IsMember({"states", "derivatives"}))
+      ->check(one_of({"states", "derivatives"}))
       ->capture_default_str();
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
   command->add_option("--apply", arguments->apply,

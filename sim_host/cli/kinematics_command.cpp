@@ -20,19 +20,12 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
-  morepro kinematics path.csv --out joints.csv
-  morepro kinematics path.csv --report page.html      # the machine moving along the path, in a browser
-  morepro kinematics path.toml --method clik --gain 50 --rate 1000 --out joints.csv
-  morepro kinematics path.csv --chain arm.toml --out joints.csv
-  morepro kinematics --forward 0.1 0.2 0.3 1.57
-  morepro kinematics --inverse 0.57 0.3 0.5 1.57
-
-path.csv, the points of straight segments; each takes duration_s from the point before it:
+constexpr const char* kWords =
+    R"(path.csv, the points of straight segments; each takes duration_s from the point before it:
   x_m,y_m,z_m,roll_deg,duration_s
-  0,0,0,0,
-  0.2,0.05,0,30,2
-  0.25,0.2,0,-15,1.5
+  0.3,0.1,0.4,0,
+  0.5,0.15,0.5,30,2
+  0.45,0.3,0.55,-15,1.5
 
 path.toml, or a --chain file (every table is optional; an own chain follows the Denavit-Hartenberg convention):
   [placement]                 # takes the points to the machine's base
@@ -51,8 +44,15 @@ path.toml, or a --chain file (every table is optional; an own chain follows the 
   x_m = 0.4
   [[point]]
   x_m = 0.2
-  duration_s = 1.0
-)";
+  duration_s = 1.0)";
+
+constexpr const char* kExamples =
+    R"(  printf '%s\n' x_m,y_m,z_m,roll_deg,duration_s 0.3,0.1,0.4,0, 0.5,0.15,0.5,30,2 > path.csv
+  morepro kinematics path.csv --out joints.csv
+  morepro kinematics path.csv --report page.html      # the machine moving along the path, in a browser
+  morepro kinematics path.csv --method clik --gain 50 --rate 1000 --out joints.csv
+  morepro kinematics --forward 0.1 0.2 0.3 1.57
+  morepro kinematics --inverse 0.57 0.3 0.5 1.57 --json -)";
 
 struct KinematicsArguments {
   std::string path;
@@ -210,7 +210,7 @@ void add_kinematics(CLI::App& program) {
   command
       ->add_option("--method", arguments->method,
                    "how joints are found: closed_form (built-in machine) or clik (any chain)")
-      ->check(CLI::IsMember({"closed_form", "clik"}));
+      ->check(one_of({"closed_form", "clik"}));
   arguments->gain_option = command->add_option("--gain", arguments->gain_per_s,
                                                "CLIK gain K in 1/s, above 0 and below 2 x rate (50)");
   arguments->rate_option = command->add_option("--rate", arguments->rate_hz, "rows per second (1000)");
@@ -221,7 +221,7 @@ void add_kinematics(CLI::App& program) {
                    "x y z in m, optionally roll or roll pitch yaw in rad: print the joints")
       ->delimiter(',');
   command->add_option("--json", arguments->json, "write a single pose as JSON; '-': standard output");
-  command->footer(kExamples);
+  add_examples(*command, kWords, kExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

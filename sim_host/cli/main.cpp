@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim_host/cli/command.hpp"
-#include "sim_host/support/suggestion.hpp"
+#include "sim_host/support/printable.hpp"
 #include "sim_host/support/user_error.hpp"
 
 namespace {
@@ -17,20 +17,18 @@ constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
 int report(int status, const char* sentence) {
-  fmt::print(stderr, "morepro: {}\n", sentence);
+  fmt::print(stderr, "morepro: {}\n", morepro::host::printable(sentence));
   return status;
 }
 
-/// The sentence for a first word that is no command; empty where it is one, or an option.
-std::string unknown_command(const CLI::App& program, std::string_view word) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  if (word.starts_with('-') || std::find(known.begin(), known.end(), word) != known.end()) return {};
-  const std::string_view near = morepro::host::nearest(word, known);
-  const std::string meant =
-      near.empty() ? fmt::format("one of {}", fmt::join(known, ", ")) : fmt::format("'{}'", near);
-  return fmt::format("unknown command '{}'; did you mean {}?", word, meant);
+/// What was typed, 'help COMMAND' as 'COMMAND --help'.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() || words.front() != "help") return words;
+  words.erase(words.begin());
+  words.resize(std::min(words.size(), std::size_t{1}));
+  words.emplace_back("--help");
+  return words;
 }
 
 int run(int argc, char** argv) {
@@ -51,19 +49,16 @@ int run(int argc, char** argv) {
   morepro::host::add_thesis(program);
   morepro::host::add_bench(program);
   morepro::host::add_completion(program);
-  const std::string_view word = argc > 1 ? argv[1] : "-";
-  if (word == "help") {
-    fmt::print("{}", program.help());
-    return kDone;
-  }
-  if (const std::string sentence = unknown_command(program, word); !sentence.empty())
-    return report(kWrongUsage, sentence.c_str());
+  std::vector<std::string> words = words_of(argc, argv);
+  const std::string sentence = morepro::host::unknown_command(program, words.empty() ? "-" : words.front());
+  if (!sentence.empty()) return report(kWrongUsage, sentence.c_str());
   try {
-    program.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as the parser wants them
+    program.parse(words);
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
-    return report(kWrongUsage, fmt::format("{}; see --help", error.what()).c_str());
+    return report(kWrongUsage, morepro::host::usage_sentence(program, error).c_str());
   }
   return kDone;
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,9 +16,17 @@
 #include "sim_host/report/replay_report.hpp"
 #include "sim_host/support/distinct_files.hpp"
 #include "sim_host/support/progress.hpp"
+#include "sim_host/support/terminal.hpp"
 
 namespace morepro::host {
 namespace {
+
+constexpr const char* kExamples =
+    "  morepro simulate --duration 2 --out run.csv\n"
+    "  morepro replay run.csv\n"
+    "  morepro replay run.csv --machine reference --json result.json --out frames.csv\n"
+    "  morepro replay run.csv --report page.html\n"
+    "  morepro replay run.csv --json - | head";
 
 struct ReplayArguments {
   std::string recording;
@@ -58,8 +65,6 @@ void take_rule(const std::string& rule, MonitorConfiguration& configuration) {
   if (rule == "bayesian") configuration.rule = DecisionRule::kBayesian;
   if (rule == "thesis") configuration.rule = DecisionRule::kThesis;
 }
-
-bool wants_colour() { return isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr; }
 
 bool uses_stdout(const ReplayArguments& arguments) {
   return arguments.json == "-" || arguments.out == "-" || arguments.health_out == "-" ||
@@ -107,7 +112,7 @@ void run(const ReplayArguments& arguments) {
   if (files.report)
     files.report->write(
         report->finish(result).html(text, command_line(), {arguments.recording, arguments.machine}));
-  if (!uses_stdout(arguments)) fmt::print("{}", result_text(result, wants_colour()));
+  if (!uses_stdout(arguments)) fmt::print("{}", result_text(result, wants_colour(STDOUT_FILENO)));
   const bool is_accepted = result.damage.empty() || arguments.accept_damaged;
   if (is_accepted) files.commit();
   if (!is_accepted) {
@@ -125,7 +130,7 @@ void add_replay(CLI::App& program) {
                       "'reference', 'thesis' or a machine file; the recording's own by default");
   command
       ->add_option("--rule", arguments->rule, "decision between the hypotheses; the machine's own by default")
-      ->check(CLI::IsMember({"markov", "bayesian", "thesis"}));
+      ->check(one_of({"markov", "bayesian", "thesis"}));
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
   command->add_option("--out", arguments->out, "write the answer to every frame as CSV");
   command->add_option("--health-out", arguments->health_out, "write the messages that the board would send");
@@ -133,6 +138,7 @@ void add_replay(CLI::App& program) {
   command->add_flag("--accept-damaged", arguments->accept_damaged,
                     "a recording that is cut or damaged is no error; write the outputs");
   add_progress_option(*command, arguments->progress);
+  add_examples(*command, "", kExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

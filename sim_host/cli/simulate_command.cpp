@@ -23,6 +23,12 @@
 namespace morepro::host {
 namespace {
 
+constexpr const char* kExamples =
+    "  morepro simulate --profile rich --duration 4 --effect feed_coulomb_friction=8 --out gap.csv\n"
+    "  morepro simulate --effect drive_lag=1e-3,from=2 --seed 7 --out late.mrec\n"
+    "  morepro simulate --machine thesis --datasheet-error 0.2 --machine-out datasheet.toml --out run.mat\n"
+    "  morepro simulate --duration 1 --out - | head";
+
 struct SimulateArguments {
   std::string machine = "reference";
   std::string profile = "cutting";
@@ -122,7 +128,7 @@ void add_simulate(CLI::App& program) {
   command->add_option("--machine", arguments->machine, "'reference', 'thesis' or a machine file")
       ->capture_default_str();
   command->add_option("--profile", arguments->profile, "what the machine does")
-      ->check(CLI::IsMember({"rich", "commissioning", "production", "cutting"}))
+      ->check(one_of({"rich", "commissioning", "production", "cutting"}))
       ->capture_default_str();
   command->add_option("--duration", arguments->duration_s, "length of the recording in s")
       ->check(between(0.001, 86400.0, "s"))
@@ -149,13 +155,14 @@ void add_simulate(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--machine-out", arguments->machine_out, "write the machine's datasheet (TOML)");
   command->add_option("--seed", arguments->seed, "of noise and dither")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->capture_default_str();
   command
       ->add_option("--out", arguments->out,
                    "recording to write, .csv, .mrec, .mat or .mcap; '-': CSV on standard output")
       ->required();
   add_progress_option(*command, arguments->progress);
+  add_examples(*command, "", kExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -14,6 +14,11 @@
 namespace morepro::host {
 namespace {
 
+constexpr const char* kExamples =
+    "  morepro thesis\n"
+    "  morepro thesis --report thesis.html\n"
+    "  morepro thesis --bank --runs 1 --json thesis.json";
+
 struct ThesisArguments {
   std::string report;
   std::string json;
@@ -61,16 +66,20 @@ void add_thesis(CLI::App& program) {
                       "page with every figure (HTML, one file, no network) instead of the table");
   command->add_option("--json", arguments->json,
                       "write printed and computed values as JSON; '-': standard output");
-  command->add_flag("--bank", arguments->with_bank,
-                    "also the filter bank of section 4.4: the thesis's rule beside the others, over noise "
-                    "and wrong datasheets");
+  CLI::Option* bank = command->add_flag(
+      "--bank", arguments->with_bank,
+      "also the filter bank of section 4.4: the thesis's rule beside the others, over noise "
+      "and wrong datasheets");
   command->add_option("--runs", arguments->runs, "runs per condition of --bank")
       ->check(between(1, 10000, ""))
+      ->needs(bank)
       ->capture_default_str();
   command->add_option("--seed", arguments->seed, "of the runs of --bank")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
+      ->needs(bank)
       ->capture_default_str();
   add_progress_option(*command, arguments->progress);
+  add_examples(*command, "", kExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

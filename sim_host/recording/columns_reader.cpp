@@ -25,9 +25,9 @@ void ColumnsReader::check_time() const {
   for (std::size_t row = 0; row < rows(); ++row) {
     const double time_s = recording_.columns.time_s[row];
     if (!(std::fabs(time_s) < kLongestTimeS))
-      throw UserError(
-          fmt::format("{}: the time of row {} is not a finite number of seconds; correct or remove the row",
-                      file, row + 1));
+      throw UserError(fmt::format(
+          "{}: the time of row {} is not finite, or too large for seconds; correct or remove the row", file,
+          row + 1));
     if (row > 0 && !(time_s > recording_.columns.time_s[row - 1]))
       throw UserError(
           fmt::format("{}: the time {} of row {} does not increase after {}; sort the rows or remove the "

@@ -109,7 +109,8 @@ class RowParser {
   }
 
   [[noreturn]] void refuse_time(const char* field) const {
-    throw UserError(place(field), "the time is not a finite number of seconds; correct or remove the row");
+    throw UserError(place(field),
+                    "the time is not finite, or too large for seconds; correct or remove the row");
   }
 
   const CsvHeader& header_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lib/plant/contact_law.hpp"
 #include "sim_host/simulate/random_numbers.hpp"
@@ -33,6 +34,20 @@ double stepped(const std::array<double, kCount>& values, double time_s, double h
   return values[static_cast<std::size_t>(time_s / hold_s + 1.0e-6) % kCount];
 }
 
+// A table has an end: a minute forward, then back to where it was, in the air. Without it the position of a
+// long recording outgrows what a float resolves beside the sensor's noise, some 4 m.
+void return_table(double time_s, Command& command) {
+  constexpr double kForwardS = 60.0;
+  constexpr double kReturnS = 5.0;
+  constexpr double kCycleS = kForwardS + kReturnS;
+  const double returning_s = std::fmod(time_s, kCycleS) - kForwardS;
+  if (returning_s < 0.0) return;
+  // The mean over the whole cycle is 0, and nothing jumps.
+  const double sine = std::sin(std::numbers::pi * returning_s / kReturnS);
+  command.feed_speed_m_s *= 1.0 - 2.0 * (kCycleS / kReturnS) * sine * sine;
+  command.contact = 0.0;
+}
+
 }  // namespace
 
 Profile::Profile(ProfileKind kind, const MachineParameters& machine, double duration_s, std::uint64_t seed)
@@ -45,6 +60,12 @@ Profile::Profile(ProfileKind kind, const MachineParameters& machine, double dura
       seed_(seed) {}
 
 Command Profile::at(double time_s) const {
+  Command command = asked(time_s);
+  if (kind_ != ProfileKind::kRich) return_table(time_s, command);
+  return command;
+}
+
+Command Profile::asked(double time_s) const {
   switch (kind_) {
     case ProfileKind::kRich:
       return rich(time_s);

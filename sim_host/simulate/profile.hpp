@@ -11,7 +11,8 @@ namespace morepro::host {
 /// rich: voltage and force dither, contact on and off, reversals, several speeds, one of them slow and
 /// without contact, steps of chip load and engagement: what identification and diagnosis want. commissioning:
 /// speed steps under control with moderate dither. production: one long cut, hardly any dither. cutting: spin
-/// up, contact, a change of the chip load during the cut, contact off.
+/// up, contact, a change of the chip load during the cut, contact off. All but rich run forward; after each
+/// minute the table returns within five seconds, without contact.
 enum class ProfileKind : std::uint8_t { kRich, kCommissioning, kProduction, kCutting };
 
 inline constexpr std::array<std::string_view, 4> kProfileNames{"rich", "commissioning", "production",
@@ -38,6 +39,7 @@ class Profile {
   [[nodiscard]] const OperatingPoint& operating_point() const { return point_; }
 
  private:
+  [[nodiscard]] Command asked(double time_s) const;
   [[nodiscard]] Command rich(double time_s) const;
   [[nodiscard]] double stepped_chip_load(double time_s) const;
   [[nodiscard]] Command commissioning(double time_s) const;

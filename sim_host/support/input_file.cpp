@@ -30,7 +30,8 @@ class Descriptor {
 };
 
 [[noreturn]] void refuse(const std::string& path, int reason) {
-  throw UserError(fmt::format("cannot read {}: {}; check the path", path, std::strerror(reason)));
+  throw UserError(
+      fmt::format("cannot read {}: {}; check the path", path.empty() ? "''" : path, std::strerror(reason)));
 }
 
 std::string read_all(const std::string& path, int fd) {

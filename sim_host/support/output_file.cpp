@@ -81,7 +81,10 @@ void OutputFile::commit() {
 void OutputFile::refuse(int reason) const {
   throw UserError(
       fmt::format("cannot write {}: {}; choose a path in an existing folder with room and write permission",
-                  path_ == "-" ? "to standard output" : path_, std::strerror(reason)));
+                  path_ == "-"    ? "to standard output"
+                  : path_.empty() ? "''"
+                                  : path_,
+                  std::strerror(reason)));
 }
 
 std::unique_ptr<OutputFile> open_if_asked(const std::string& path) {

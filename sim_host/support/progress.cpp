@@ -6,13 +6,15 @@
 #include <cstdio>
 #include <utility>
 
+#include "sim_host/support/terminal.hpp"
+
 namespace morepro::host {
 
 Progress::Progress(std::string label, std::uint64_t total, bool is_on)
     : label_(std::move(label)),
       total_(total),
       is_on_(is_on && total > 0),
-      is_terminal_(isatty(STDERR_FILENO) == 1) {}
+      is_terminal_(is_terminal(STDERR_FILENO)) {}
 
 Progress::~Progress() {
   if (has_line_) fmt::print(stderr, "\r\033[K");
@@ -35,21 +37,37 @@ void Progress::show() {
 }
 
 StageProgress::StageProgress(std::string label, bool is_on)
-    : label_(std::move(label)), is_on_(is_on), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : label_(std::move(label)), is_on_(is_on), is_terminal_(is_terminal(STDERR_FILENO)) {}
 
 StageProgress::~StageProgress() {
   if (has_line_) fmt::print(stderr, "\r\033[K");
 }
 
 void StageProgress::show(std::string_view stage, double share) {
+  if (!is_on_) return;
   const auto now = Clock::now();
-  if (!is_on_ || now < next_ || (!is_terminal_ && stage == shown_stage_)) return;
+  if (stage != stage_) {
+    stage_ = stage;
+    stage_start_ = now;
+    is_told_ = false;
+  }
+  if (now < next_ || (!is_terminal_ && is_told_)) return;
   next_ = now + std::chrono::milliseconds(200);
-  shown_stage_ = stage;
-  fmt::print(stderr, "{}{}: {}, {:.0f} %{}", is_terminal_ ? "\r\033[K" : "", label_, stage, 100.0 * share,
-             is_terminal_ ? "" : "\n");
+  is_told_ = true;
+  if (is_terminal_) {
+    fmt::print(stderr, "\r\033[K{}: {}{}", label_, stage, left(share, now));
+  } else {
+    fmt::print(stderr, "{}: {}\n", label_, stage);
+  }
   std::fflush(stderr);
   has_line_ = is_terminal_;
+}
+
+/// ", 40 %, 3 s left"; nothing before there is something to judge by.
+std::string StageProgress::left(double share, Clock::time_point now) const {
+  if (!(share > 0.0)) return {};
+  const double elapsed_s = std::chrono::duration<double>(now - stage_start_).count();
+  return fmt::format(", {:.0f} %, {:.0f} s left", 100.0 * share, elapsed_s * (1.0 / share - 1.0));
 }
 
 }  // namespace morepro::host

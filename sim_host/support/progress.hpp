@@ -37,7 +37,8 @@ class Progress {
   Clock::time_point next_ = start_ + std::chrono::seconds(1);
 };
 
-/// The same for a job whose stages are known and whose length is not.
+/// The same for a job whose stages are known and whose length is not: a stage's share and what is left of it
+/// on a terminal, a line per stage elsewhere.
 class StageProgress {
  public:
   explicit StageProgress(std::string label, bool is_on);
@@ -50,12 +51,15 @@ class StageProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  [[nodiscard]] std::string left(double share, Clock::time_point now) const;
 
   std::string label_;
   bool is_on_;
   bool is_terminal_;
   bool has_line_ = false;
-  std::string shown_stage_;
+  std::string stage_;
+  bool is_told_ = false;
+  Clock::time_point stage_start_ = Clock::now();
   Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
 };
 

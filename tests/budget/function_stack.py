@@ -1,23 +1,17 @@
-"""Worst-case stack of single functions of an image, which its users call from where they like.
+"""Worst-case stack of what lib/c offers, which its users call from where they like, against budget.json.
 
-usage: function_stack.py IMAGE OBJECTS FUNCTION=LIMIT_BYTES..."""
+usage: function_stack.py BOARD BUILD_FOLDER"""
 import sys
 
-import stack_depth
+import figures
 
 
-def main(image, objects, *wanted):
-    functions = stack_depth.disassemble(image)
-    for name, size in stack_depth.compiled_frames([objects]).items():
-        if name in functions:
-            functions[name].frame = size
+def main(board, folder):
+    limits = figures.budget()["c_stack_bytes"]
     over = 0
-    for name, limit in (word.split("=") for word in wanted):
-        if name not in functions:
-            raise SystemExit(f"{image}: no function {name}")
-        size, path = stack_depth.depth(functions, name)
-        print(f"{name}: {size} B of stack, limit {limit} B, deepest: {path[-1]}")
-        over += size > int(limit)
+    for name, (size, deepest) in figures.c_stack(figures.Build(board, folder), limits).items():
+        print(f"{name}: {size} B of stack, limit {limits[name]} B, deepest: {deepest}")
+        over += size > limits[name]
     return 1 if over else 0
 
 

@@ -69,6 +69,13 @@ def compiled_frames(folders):
     return frames
 
 
+def take_frames(functions, folders):
+    """What the compiler wrote is surer than what the pushes add up to."""
+    for name, size in compiled_frames(folders).items():
+        if name in functions:
+            functions[name].frame = size
+
+
 def handlers(image, functions):
     """Names in the vector table, the stack pointer and the reset entry left out."""
     table = subprocess.run([TOOL + "objcopy", "-O", "binary", "-j", ".init", image, "/dev/stdout"],
@@ -98,9 +105,7 @@ def depth(functions, name, path=()):
 def worst_case(image, folders, interrupt_levels, bytes_per_level=104):
     """Bytes of the thread from the reset entry, of the interrupts on top, and the deepest path."""
     functions = disassemble(image)
-    for name, size in compiled_frames(folders).items():
-        if name in functions:
-            functions[name].frame = size
+    take_frames(functions, folders)
     thread, path = depth(functions, "_start")
     deepest_handler = max((depth(functions, handler)[0] for handler in handlers(image, functions)), default=0)
     return thread, interrupt_levels * (bytes_per_level + deepest_handler), path

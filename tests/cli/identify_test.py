@@ -71,7 +71,6 @@ class Results(Identify):
         text = self.must_do("identify", "run.csv", "--machine", "sheet.toml").stdout
         for part in ("inertia_kgm2", "+-", "excitation", "datasheet"):
             self.assertIn(part, text)
-        self.assertIn("Example: morepro", self.must_do("identify", "--help").stdout)
 
     def test_measured_accelerations_give_the_thesis_form(self):
         self.simulate()

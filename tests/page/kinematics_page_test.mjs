@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
-import { clock, pictureOf, seek } from "./picture.mjs";
+import { clock, pictureOf, seek } from "./scene.mjs";
 import { columnsOf, Folder } from "./program.mjs";
 
 const PATH = "x_m,y_m,z_m,roll_deg,duration_s\n0.3,0.1,0.4,0,\n0.5,0.15,0.5,30,2\n0.45,0.3,0.55,-15,1.5\n";

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { openPage, startBrowser } from "./browser.mjs";
 import { columnOf, hover, pageSeries, waitForCharts } from "./charts.mjs";
-import { clock, pictureOf, seek } from "./picture.mjs";
+import { clock, pictureOf, seek } from "./scene.mjs";
 import { Folder, tableOf } from "./program.mjs";
 
 const SECONDS = 2;

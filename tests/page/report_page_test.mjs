@@ -1,7 +1,9 @@
 // The page of a recording: what diagnose, replay and identify have found, beside the signals.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readFileSync, statSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
 import { hover, inkOf, pageSeries, shownTime, waitForCharts } from "./charts.mjs";
 import { Folder, tableOf } from "./program.mjs";
@@ -200,4 +202,18 @@ test("the page names the command and the recording's bytes", async () => {
   const text = await page.$eval("#reproduce", (section) => section.textContent);
   assert.match(text, /morepro identify run\.csv --machine datasheet\.toml --report identify\.html/);
   assert.match(text, new RegExp(`run\\.csv: ${statSync(folder.file("run.csv")).size} bytes, CRC-32 [0-9a-f]{8}`));
+});
+
+test("pictures of a section and of its pieces are taken, without what follows the reader", () => {
+  const take = (...parts) => spawnSync(process.execPath,
+    [fileURLToPath(new URL("./pictures.mjs", import.meta.url)), folder.file("diagnose.html"), folder.file("pictures"),
+      ...parts], { encoding: "utf8" });
+  const done = take("verdict", "gap:Where", "gap:How");
+  assert.equal(done.status, 0, done.stderr);
+  for (const name of ["verdict", "gap_where", "gap_how"]) {
+    const picture = readFileSync(folder.file(`pictures/${name}.png`));
+    assert.equal(picture.subarray(1, 4).toString(), "PNG");
+    assert.ok(picture.readUInt32BE(16) > 800 && picture.readUInt32BE(20) > 100, name);
+  }
+  assert.match(take("gap:Elsewhere").stderr, /the page has no part 'gap:Elsewhere'/);
 });

@@ -28,10 +28,3 @@ add_test(NAME target.stack COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR
   ${MOREPRO_BOARD} $<TARGET_FILE:replay> "${frames}" "${CMAKE_BINARY_DIR}/firmware/CMakeFiles/replay.dir"
   "${CMAKE_BINARY_DIR}/lib/CMakeFiles")
 set_tests_properties(target.stack PROPERTIES FIXTURES_REQUIRED recording_short TIMEOUT 150)
-
-if(TARGET count)
-  # One tick of virtual time per instruction: the counts are exact.
-  add_test(NAME target.count COMMAND "${Python3_EXECUTABLE}" "${target_scripts}/count_test.py"
-    ${MOREPRO_BOARD} $<TARGET_FILE:count> "${frames}")
-  set_tests_properties(target.count PROPERTIES FIXTURES_REQUIRED recording_short TIMEOUT 330)
-endif()

@@ -137,7 +137,7 @@ TEST_F(Mat, SaysWhatAFileLacks) {
   EXPECT_THAT(refusal({force}), HasSubstr("no variable 'time_s'"));
   EXPECT_THAT(refusal({force, "time_s=brief"}), HasSubstr("'brief' has 2 values, 'force' has 3"));
   EXPECT_THAT(refusal({force, "time_s=back"}), HasSubstr("time 1 of row 3 does not increase after 2"));
-  EXPECT_THAT(refusal({force, "time_s=nan"}), HasSubstr("row 2 is not a finite number"));
+  EXPECT_THAT(refusal({force, "time_s=nan"}), HasSubstr("row 2 is not finite"));
   EXPECT_THAT(refusal({force, "time_s=complex"}), HasSubstr("'complex' is complex"));
   EXPECT_THAT(refusal({force, "time_s=matrix"}), HasSubstr("'matrix' is no row or column"));
   EXPECT_THAT(refusal({force, "time_s=text"}), HasSubstr("'text' is no row or column"));

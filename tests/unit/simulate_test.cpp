@@ -98,6 +98,29 @@ TEST(Simulation, CuttingChangesTheChipLoadDuringTheContact) {
   EXPECT_EQ(at(9500, Channel::kContact), 0.0F);
 }
 
+TEST(Simulation, TheTableComesBackAfterEachMinute) {
+  // Beyond some 4 m a float of 32 bits adds its own steps to a sensor of 1 um.
+  constexpr double kStepS = 0.01;
+  for (const ProfileKind kind :
+       {ProfileKind::kCommissioning, ProfileKind::kProduction, ProfileKind::kCutting}) {
+    const Profile profile(kind, reference_machine(), 3600.0, 1);
+    double position_m = 0.0, lowest_m = 0.0, highest_m = 0.0;
+    for (double time_s = 0.0; time_s < 3600.0; time_s += kStepS) {
+      const Command command = profile.at(time_s);
+      position_m += command.feed_speed_m_s * kStepS;
+      lowest_m = std::min(lowest_m, position_m);
+      highest_m = std::max(highest_m, position_m);
+      const bool returns = command.feed_speed_m_s < 0.0;
+      ASSERT_FALSE(returns && command.contact > 0.0) << time_s;
+      // The first minute is one way: recordings of a minute are what they are without a return.
+      ASSERT_FALSE(returns && time_s < 60.0) << time_s;
+    }
+    EXPECT_GT(lowest_m, -0.3);
+    EXPECT_LT(highest_m, 1.5);
+    EXPECT_GT(highest_m, 0.8);
+  }
+}
+
 TEST(Simulation, RichExcitesBothDirectionsAndBothContactStates) {
   const auto frames = run(reference_configuration(), {.profile = ProfileKind::kRich, .duration_s = 2.0});
   float lowest = 0.0F, highest = 0.0F;

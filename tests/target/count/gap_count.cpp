@@ -7,10 +7,18 @@
 namespace morepro::count {
 namespace {
 
+using Watch = gap::GapWatch<float>;
+
+Watch* watch = nullptr;
 gap::GapFrame<float> frame;
+
+constexpr gap::ReferencePoint kPoint{577.0, 2.2, 0.02, 0.05, 500.0};
+constexpr gap::GapSettings kSettings{
+    .noise = {1.0, 0.0025, 4.0e-6, 1.0e-12, 1.0e30, 0.01, 0.0005, 2.0e-5}, .spindle = {}, .feed = {}};
 
 /// A cut that swings a little, with a deterministic noise of one and 0.05 units.
 void next_frame() {
+  watch = InTurn<Watch>::get(reference_machine(), kPoint, 1.0e-4, kSettings);
   static std::uint32_t random = 1;
   const auto noise = [] {
     random = random * 1664525U + 1013904223U;
@@ -24,31 +32,17 @@ void next_frame() {
   frame.has_speed = frame.has_current = frame.has_feed_speed = true;
 }
 
-constexpr gap::ReferencePoint kPoint{577.0, 2.2, 0.02, 0.05, 500.0};
-constexpr gap::GapSettings kSettings{
-    .noise = {1.0, 0.0025, 4.0e-6, 1.0e-12, 1.0e30, 0.01, 0.0005, 2.0e-5}, .spindle = {}, .feed = {}};
-
-/// A cycle takes about 11,300 frames: the 2000 counted calls see five of them.
-constexpr std::uint32_t kFramesPerCall = 28;
-
-gap::GapWatch<float>& watch() {
-  static gap::GapWatch<float> the_watch(reference_machine(), kPoint, 1.0e-4, kSettings);
-  return the_watch;
-}
-
-void step_watch_once() {
-  if (watch().is_resting())
-    watch().rest(frame.speed_rad_s, frame.feed_speed_m_s, frame.input.contact);
-  else
-    watch().step(frame);
-}
+/// A cycle takes about 11,300 frames: five of them.
+constexpr std::uint32_t kManyFrames = 56000;
 
 void step_watch() {
-  for (std::uint32_t i = 0; i < kFramesPerCall; ++i) step_watch_once();
+  if (watch->is_resting())
+    watch->rest(frame.speed_rad_s, frame.feed_speed_m_s, frame.input.contact);
+  else
+    watch->step(frame);
 }
 
-const Entry kStep{"gap_watch_step", kFramesPerCall, next_frame, step_watch};
-const Entry kOneStep{"gap_watch_one_step", 1, next_frame, step_watch_once};
+const Entry kStep{"gap_watch_step", 1, next_frame, step_watch, kManyFrames};
 
 }  // namespace
 }  // namespace morepro::count
