@@ -128,6 +128,7 @@ class Search {
   /// linearisation does not tell a delay from a lag. Returns the fit of the best, which is then in front.
   AxisFit duel(std::vector<Candidate>& ranked) const {
     const double before = fit_.unlikeliness();
+    for (Candidate& rival : ranked) rival.promised = rival.evidence;
     const double promised_most = ranked.front().evidence;
     std::vector<Trial> trials = sure_trials(ranked);
     const std::size_t sure = trials.size();
@@ -142,13 +143,12 @@ class Search {
         }
         trials.push_back(trial_of(rival));
       }
-      const double promised = rival.evidence;
       const Trial& trial = i < sure ? trials[i] : trials.back();
       rival = trial.candidate;
       rival.evidence =
           before - trial.fit.unlikeliness() - freedom_cost(trial.fit, trial.fit.model().effects.back());
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
-      if (rival.evidence > best) kept = rival.evidence / promised;
+      if (rival.evidence > best) kept = rival.evidence / rival.promised;
       best = std::max(best, rival.evidence);
     }
     std::sort(ranked.begin(), ranked.end(), by_evidence);

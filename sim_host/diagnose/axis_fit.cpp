@@ -19,7 +19,7 @@ constexpr std::array kDampings{0.0, 1.0, 30.0};
 constexpr double kSettledRound = 5.0;  // deviance that a round of noise and parameters gains
 constexpr double kSettled = 4.0;       // chi-square that a further step would gain
 constexpr double kHopeless = 0.01;     // deviance per row that another round does not make up for
-constexpr double kCrawl = 0.02;        // share of its promise that a step keeps where another one is no use
+constexpr double kCrawl = 0.005;       // share of its promise that a step keeps where another one is no use
 constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
 
 /// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.

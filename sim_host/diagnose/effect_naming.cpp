@@ -34,7 +34,8 @@ bool is_one_signal_for_two(const AxisFit& fit) {
   return fit.axis() == Axis::kSpindle && !fit.signals().has(Channel::kArmatureCurrent);
 }
 
-/// The same load on the other side of a motor whose current nobody measured.
+/// The same load on the other side of a motor whose current nobody measured. How alike the two are is seen
+/// before either is fitted: what their widths and the parameters then settle at is another question.
 std::optional<Effect> twin_of(const Finding& finding) {
   const Effect effect = finding.effect.form.effect;
   const bool is_friction =
@@ -42,7 +43,7 @@ std::optional<Effect> twin_of(const Finding& finding) {
   if (!is_friction && effect != Effect::kBrushVoltageDrop) return std::nullopt;
   const Effect twin = is_friction ? Effect::kBrushVoltageDrop : Effect::kSpindleCoulombFriction;
   for (const Candidate& rival : finding.rivals)
-    if (rival.form.effect == twin && rival.evidence > kTwinShare * finding.rivals.front().evidence)
+    if (rival.form.effect == twin && rival.promised > kTwinShare * finding.rivals.front().promised)
       return twin;
   return std::nullopt;
 }

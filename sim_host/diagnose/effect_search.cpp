@@ -74,7 +74,10 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
     Eigen::VectorXd coefficient;
     const double gain = gain_of(rest, moments, column, form.parts, coefficient);
     const double freedom = form.parts + (shapes[form.effect] > 1 ? 1.0 : 0.0);
-    Candidate candidate{form, column, evidence_of(rest.rss, gain, rows, freedom), {}};
+    Candidate candidate{.form = form,
+                        .column = column,
+                        .evidence = evidence_of(rest.rss, gain, rows, freedom),
+                        .coefficient = {}};
     candidate.coefficient.assign(coefficient.data(), coefficient.data() + coefficient.size());
     column += form.parts;
     if (gap::acts_one_way(form.effect) && !(candidate.coefficient[0] > 0.0) &&

@@ -12,6 +12,7 @@ struct Candidate {
   gap::EffectForm form;
   Eigen::Index column = 0;  ///< its first in the moments
   double evidence = 0.0;    ///< n ln(RSS without / RSS with) - dof ln n
+  double promised = 0.0;    ///< the same before any of the rivals was fitted
   std::vector<double> coefficient;
   double onset_s = 0.0;  ///< sets in there
 };
