@@ -122,12 +122,13 @@ class FeedObserver {
     const Real dv = integral_.a11 * rate;
     const Real dx = integral_.a00 * v + integral_.a01 * rate;
     EffectSignals<Real> middle = signals_of(frame, x + half * dx, v + half * dv);
-    load_columns(middle, dv / step_s_, frame.input);
     added_ = terms_.applied(middle, false);
     const Real rate_added = added_.force_n / k.mass_kg;
     const Real free_m_s = v + dv + integral_.a11 * rate_added;
     const auto after = terms_.rub(BrakedState::kFeedSpeed, free_m_s, yield, frame.time_s);
-    added_.force_n += half * (v - observer_.mean(1) + after.value - free_m_s) / yield;
+    const Real rubbed_m_s = v - observer_.mean(1) + after.value - free_m_s;
+    added_.force_n += half * rubbed_m_s / yield;
+    load_columns(middle, (dv + integral_.a11 * rate_added + rubbed_m_s) / step_s_, frame.input);
     const math::BasicMatrix2<Real> phi{exp_.a00, exp_.a01 * before.slope, after.slope * exp_.a10,
                                        after.slope * exp_.a11 * before.slope};
     const math::BasicMatrix2<Real> psi{integral_.a00, integral_.a01, after.slope * integral_.a10,

@@ -124,7 +124,6 @@ class SpindleObserver {
     middle.acceleration_rad_s2 = dw / step_s_;
     middle.current_rate_a_s = di / step_s_;
     middle.angle_rad += half * step_s_ * x.speed_rad_s;
-    load_columns(middle);
     added_ = terms_.applied(middle, false);
     const Real rate_w = added_.torque_nm / k.inertia_kgm2;
     const Real rate_i = added_.voltage_v / k.inductance_h;
@@ -132,8 +131,13 @@ class SpindleObserver {
     const Real free_i = x.current_a + di + psi.a10 * rate_w + psi.a11 * rate_i;
     const auto w1 = terms_.rub(BrakedState::kSpindleSpeed, free_w, yield_w, frame.time_s);
     const auto i1 = terms_.rub(BrakedState::kCurrent, free_i, yield_i, frame.time_s);
-    added_.torque_nm += half * (w0.value - observer_.mean(0) + w1.value - free_w) / yield_w;
-    added_.voltage_v += half * (i0.value - observer_.mean(1) + i1.value - free_i) / yield_i;
+    const Real rubbed_w = w0.value - observer_.mean(0) + w1.value - free_w;
+    const Real rubbed_i = i0.value - observer_.mean(1) + i1.value - free_i;
+    added_.torque_nm += half * rubbed_w / yield_w;
+    added_.voltage_v += half * rubbed_i / yield_i;
+    const Real added_w = psi.a00 * rate_w + psi.a01 * rate_i + rubbed_w;
+    const Real added_i = psi.a10 * rate_w + psi.a11 * rate_i + rubbed_i;
+    load_columns(middle, (dw + added_w) / step_s_, (di + added_i) / step_s_);
     const math::BasicMatrix2<Real> first{step.exp.a00 * w0.slope, step.exp.a01 * i0.slope,
                                          step.exp.a10 * w0.slope, step.exp.a11 * i0.slope};
     driven_rad_s_ += w1.value - observer_.mean(0);
@@ -148,18 +152,20 @@ class SpindleObserver {
     return {speed_slope * m.a00, speed_slope * m.a01, current_slope * m.a10, current_slope * m.a11};
   }
 
-  void load_columns(const EffectSignals<Real>& s) {
+  /// The rates are those of the model with its effects: an inductance acts on the current as it changes, not
+  /// as it would change without the lag of its drive.
+  void load_columns(const EffectSignals<Real>& s, Real acceleration_rad_s2, Real current_rate_a_s) {
     const auto& k = terms_.scales();
     const Real per_inertia = Real(1) / k.inertia_kgm2;
     const Real per_inductance = Real(1) / k.inductance_h;
     first_[0] = k.torque_constant_nm_a * s.current_a * per_inertia;
     first_[1] = -k.viscous_friction_nms_rad * s.speed_rad_s * per_inertia;
-    first_[2] = -s.acceleration_rad_s2;
+    first_[2] = -acceleration_rad_s2;
     first_[3] = first_[4] = first_[5] = Real(0);
     second_[0] = second_[1] = second_[2] = Real(0);
     second_[3] = -k.resistance_ohm * s.current_a * per_inductance;
     second_[4] = -k.back_emf_constant_vs_rad * s.speed_rad_s * per_inductance;
-    second_[5] = -s.current_rate_a_s;
+    second_[5] = -current_rate_a_s;
     terms_.for_each(s, false, [&](std::size_t j, const Contribution<Real>& c) {
       first_[kSpindleParameters + j] = c.torque_nm * per_inertia;
       second_[kSpindleParameters + j] = c.voltage_v * per_inductance;

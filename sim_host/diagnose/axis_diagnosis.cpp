@@ -241,7 +241,7 @@ class Search {
   static void sharpen(AxisFit& trial) {
     const float widest = trial.model().effects.back().form.shape;
     bool has_changed = false;
-    for (const float factor : {0.2F, 0.4F, 1.7F, 0.7F}) {
+    for (const float factor : {0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}) {
       for (;;) {
         AxisFit other = trial;
         float& shape = other.model().effects.back().form.shape;

@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/noise_fit.hpp"
+#include "sim_host/diagnose/reference_scales.hpp"
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::host {
+namespace {
+
+using diagnose_test::effect;
+using diagnose_test::record;
+using gap::Effect;
+
+constexpr std::size_t kSettling = 100;
+
+struct Parameter {
+  Axis axis;
+  const char* name;
+  double& (*of)(MachineParameters&);
+};
+
+const Parameter kSpindle[] = {
+    {Axis::kSpindle, "torque constant",
+     [](MachineParameters& m) -> double& { return m.spindle.torque_constant_nm_a; }},
+    {Axis::kSpindle, "viscous friction",
+     [](MachineParameters& m) -> double& { return m.spindle.viscous_friction_nms_rad; }},
+    {Axis::kSpindle, "inertia", [](MachineParameters& m) -> double& { return m.spindle.inertia_kgm2; }},
+    {Axis::kSpindle, "resistance", [](MachineParameters& m) -> double& { return m.spindle.resistance_ohm; }},
+    {Axis::kSpindle, "back-EMF constant",
+     [](MachineParameters& m) -> double& { return m.spindle.back_emf_constant_vs_rad; }},
+    {Axis::kSpindle, "inductance", [](MachineParameters& m) -> double& { return m.spindle.inductance_h; }},
+};
+const Parameter kFeed[] = {
+    {Axis::kFeed, "mass", [](MachineParameters& m) -> double& { return m.feed.mass_kg; }},
+    {Axis::kFeed, "viscous friction",
+     [](MachineParameters& m) -> double& { return m.feed.viscous_friction_ns_m; }},
+};
+
+struct Innovations {
+  std::vector<double> value;  ///< over the observer's standard deviation
+  std::vector<double> column;
+};
+
+Innovations innovations(Axis axis, const RecordingSignals& signals, const GapModel& model,
+                        std::size_t column) {
+  Innovations all;
+  run_observer(axis, signals, model, {}, 0, signals.rows, [&](const Innovation& v) {
+    if (v.row < kSettling) return;
+    all.value.push_back(v.value / std::sqrt(v.variance));
+    all.column.push_back(v.columns[column] / std::sqrt(v.variance));
+  });
+  return all;
+}
+
+/// How a column compares with the central difference of the innovations by its parameter, relative.
+struct Likeness {
+  double cosine = 0.0;
+  double slope = 0.0;  ///< of the difference on the column
+};
+
+Likeness likeness(const Parameter& parameter, std::size_t column, const RecordingSignals& signals,
+                  const GapModel& model) {
+  constexpr double kStep = 0.01;
+  const auto at = [&](double factor) {
+    GapModel moved = model;
+    parameter.of(moved.machine) *= factor;
+    return innovations(parameter.axis, signals, moved, column);
+  };
+  const Innovations here = at(1.0), more = at(1.0 + kStep), less = at(1.0 - kStep);
+  double together = 0.0, differences = 0.0, columns = 0.0;
+  for (std::size_t i = 0; i < here.value.size(); ++i) {
+    // A larger parameter predicts more, so that the innovation is smaller by the column.
+    const double difference = (less.value[i] - more.value[i]) / (2.0 * kStep);
+    together += difference * here.column[i];
+    differences += difference * difference;
+    columns += here.column[i] * here.column[i];
+  }
+  return {together / std::sqrt(differences * columns), together / columns};
+}
+
+class Sensitivity : public testing::TestWithParam<gap::AppliedEffect> {};
+
+// The steps of every fit, and every standard error, rest on these columns. What an effect of the model does
+// to the rates belongs to them: without that, an inductance behind the lag of its drive seemed three times as
+// well known as it is, and fits ended beside the truth. 1 %: a period's exponentials are taken to first order
+// in the parameter; resistance acts on a current that changes meanwhile, 2 %.
+TEST_P(Sensitivity, IsTheDerivativeOfTheInnovationsWithAnEffectInTheModel) {
+  const gap::AppliedEffect one = GetParam();
+  const RecordingSignals signals = record({.effects = {one}, .duration_s = 2.0});
+  const MachineDescription sheet = built_in_machine("reference");
+  GapModel model{.machine = sheet.configuration.machine,
+                 .point = reference_point_for(sheet, signals),
+                 .noise = usual_noise(sheet.configuration.sensors)};
+  model.effects.push_back(one);
+  const auto check = [&](const auto& parameters) {
+    for (std::size_t j = 0; j < std::size(parameters); ++j) {
+      const Likeness found = likeness(parameters[j], j, signals, model);
+      EXPECT_GT(found.cosine, 0.995) << parameters[j].name;
+      EXPECT_NEAR(found.slope, 1.0, 0.02) << parameters[j].name;
+    }
+  };
+  check(kSpindle);
+  check(kFeed);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    WithAnEffect, Sensitivity,
+    testing::Values(effect(Effect::kDriveLag, 1.0e-3), effect(Effect::kSupplyVoltageOffset, 2.0),
+                    effect(Effect::kSpindleCoulombFriction, 0.02), effect(Effect::kFeedForceOffset, 6.0),
+                    effect(Effect::kFeedDriveLag, 2.0e-3), effect(Effect::kFeedCoulombFriction, 2.0)),
+    [](const auto& param) { return std::string(gap::name_of(param.param.form.effect)); });
+
+}  // namespace
+}  // namespace morepro::host

@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include "sim_host/support/in_parallel.hpp"
+#include "sim_host/support/tiny_numbers.hpp"
+
+namespace morepro::host {
+namespace {
+
+TEST(InParallel, DoesEveryTaskOnce) {
+  std::array<int, 20> done{};
+  in_parallel(done.size(), [&done](std::size_t i) { ++done[i]; });
+  for (const int times : done) EXPECT_EQ(times, 1);
+  in_parallel(0, [](std::size_t) { FAIL(); });
+}
+
+TEST(InParallel, HandsOnWhatATaskThrows) {
+  std::array<int, 4> done{};
+  const auto task = [&done](std::size_t i) {
+    ++done[i];
+    if (i == 2) throw std::runtime_error("two");
+  };
+  EXPECT_THROW(in_parallel(done.size(), task), std::runtime_error);
+  for (const int times : done) EXPECT_EQ(times, 1);
+}
+
+#if defined(__SSE2__)
+TEST(TinyNumbers, AreZeroAsLongAsTheGuardLives) {
+  volatile double smallest = std::numeric_limits<double>::min();
+  {
+    const NoTinyNumbers guard;
+    EXPECT_EQ(0.5 * smallest, 0.0);
+  }
+  EXPECT_GT(0.5 * smallest, 0.0);
+}
+#endif
+
+}  // namespace
+}  // namespace morepro::host
