@@ -27,6 +27,8 @@ constexpr double kBent = 0.6;        // relative deviation of a parameter that n
 // let the parameters settle elsewhere, and that was its worth.
 constexpr double kVague = 0.5;
 constexpr double kLeastShareOfFamily = 0.08;
+// Some stretch at the end can always be explained a little better by something of its own.
+constexpr double kLeastShareOfLate = 0.05;
 
 /// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
 /// delay has no such beginning; it starts with the size that was found.
@@ -322,13 +324,15 @@ class Search {
   double enough_for(const Finding& finding) const {
     double enough = diagnosis_.least_evidence;
     const Family family = family_of(finding.effect.form.effect);
+    const double least_share = finding.effect.onset_s > 0.0 ? kLeastShareOfLate : kLeastShare;
     for (const Finding& other : diagnosis_.found) {
       const bool is_related = family != Family::kNone && family == family_of(other.effect.form.effect);
-      enough = std::max(enough, (is_related ? kLeastShareOfFamily : kLeastShare) * other.evidence);
+      enough = std::max(enough, (is_related ? kLeastShareOfFamily : least_share) * other.evidence);
     }
     for (const gap::AppliedEffect& known : fit_.model().known) {
       const bool is_related = family != Family::kNone && family == family_of(known.form.effect);
-      if (is_related) enough = std::max(enough, kLeastShareOfFamily * diagnosis_.known_evidence);
+      const double share = is_related ? kLeastShareOfFamily : least_share;
+      enough = std::max(enough, share * diagnosis_.known_evidence);
     }
     return diagnosis_.needed(finding, enough);
   }
