@@ -19,6 +19,7 @@
 #include "sim_host/diagnose/reference_scales.hpp"
 #include "sim_host/diagnose/sampling_checks.hpp"
 #include "sim_host/diagnose/shrinkage.hpp"
+#include "sim_host/diagnose/unevaluated.hpp"
 #include "sim_host/diagnose/where.hpp"
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -192,10 +193,17 @@ class Diagnosis {
       case Verdict::kInsufficientExcitation:
         break;
     }
-    if (signals_.rows < kFewestRows) return fmt::format("the recording is shorter than {} rows", kFewestRows);
+    if (signals_.rows < kFewestRows) return too_short();
     if (outcomes_.empty())
       return "no balance has its signals in the recording and its values in the machine file";
     return "nothing moves enough in the recording to tell a single parameter";
+  }
+
+  std::string too_short() const {
+    if (!signals_.is_thinned) return fmt::format("the recording is shorter than {} rows", kFewestRows);
+    return fmt::format(
+        "the recording is shorter than {:g} s, the least for an axis known by its position alone",
+        static_cast<double>(kFewestRows) / signals_.rate_hz);
   }
 
   /// Where a sensor's faults show most.
@@ -294,7 +302,8 @@ class Diagnosis {
     for (const BalanceResult& known : result_.where)
       if (known.balance == balance) return;
     BalanceResult absent{.balance = balance};
-    absent.reason = "the recording or the machine file does not hold what it needs";
+    absent.reason = why_not_evaluated(balance, signals_, machine_);
+    if (absent.reason.empty()) absent.reason = signals_.rows < kFewestRows ? too_short() : "nothing tells it";
     result_.where.push_back(absent);
   }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lib/gap/effect_catalogue.hpp"
@@ -78,9 +79,14 @@ std::string parameter_text(const DiagnosisResult& r) {
 }  // namespace
 
 std::string diagnosis_text(const DiagnosisResult& r) {
-  return fmt::format("recording   {} rows at {:g} Hz, {:.3f} s, {} missing\nverdict     {}\n            {}\n",
-                     r.rows, r.rate_hz, r.duration_s, r.missing_rows, name_of(r.verdict), r.explanation) +
-         where_text(r) + which_text(r) + shrinkage_text(r) + parameter_text(r) +
+  const std::string head =
+      fmt::format("recording   {} rows at {:g} Hz, {:.3f} s, {} missing\nverdict     {}\n            {}\n",
+                  r.rows, r.rate_hz, r.duration_s, r.missing_rows, name_of(r.verdict), r.explanation) +
+      where_text(r);
+  const bool is_any_evaluated =
+      std::any_of(r.where.begin(), r.where.end(), [](const BalanceResult& b) { return b.is_evaluated; });
+  if (!is_any_evaluated) return head;
+  return head + which_text(r) + shrinkage_text(r) + parameter_text(r) +
          fmt::format("threshold   evidence {:.1f}, temperature {:.2f}, {} bootstrap runs\n",
                      r.threshold_evidence, r.temperature, r.bootstrap_runs);
 }

@@ -117,6 +117,23 @@ class HalfAMachine(Diagnose):
         self.keep_columns(*SPINDLE, "contact", "chip_load_mm", "tool_temperature_degc")
         self.assertEqual(self.diagnose(recording="part.csv")["which"], [])
 
+    def test_what_is_not_evaluated_says_what_it_lacks(self):
+        self.simulate(duration=2)
+        self.keep_columns("feed_force_n", "feed_speed_m_s", "contact")
+        result = self.diagnose(recording="part.csv")
+        reasons = {balance["balance"]: balance.get("reason") for balance in result["where"]}
+        self.assertEqual(reasons["spindle_torque"], "not recorded: armature_voltage_v, spindle_speed_rad_s")
+        self.assertEqual(reasons["armature_voltage"],
+                         "not recorded: armature_voltage_v, spindle_speed_rad_s, armature_current_a")
+
+    def test_an_axis_known_by_its_position_alone_wants_seconds_not_rows(self):
+        self.simulate(duration=4)
+        self.keep_columns("feed_force_n", "feed_position_m", "contact")
+        shown = self.must_do("diagnose", "part.csv").stdout
+        self.assertIn("shorter than 5 s, the least for an axis known by its position alone", shown)
+        self.assertNotIn("shorter than 1000 rows", shown)
+        self.assertNotIn("threshold", shown)
+
     def test_too_short_says_so(self):
         self.simulate(duration=0.05)
         result = self.diagnose()

@@ -1,0 +1,51 @@
+#include "sim_host/diagnose/unevaluated.hpp"
+
+#include <fmt/format.h>
+
+namespace morepro::host {
+namespace {
+
+/// The columns that are not recorded, one after the other.
+class Missing {
+ public:
+  explicit Missing(const RecordingSignals& signals) : signals_(signals) {}
+
+  Missing& need(Channel channel) {
+    if (!signals_.has(channel)) add(kChannels[index_of(channel)].column);
+    return *this;
+  }
+
+  Missing& need_one_of(Channel a, Channel b) {
+    if (!signals_.has(a) && !signals_.has(b))
+      add(fmt::format("{} or {}", kChannels[index_of(a)].column, kChannels[index_of(b)].column));
+    return *this;
+  }
+
+  [[nodiscard]] std::string text() const { return names_.empty() ? "" : "not recorded: " + names_; }
+
+ private:
+  void add(std::string_view name) {
+    if (!names_.empty()) names_ += ", ";
+    names_ += name;
+  }
+
+  const RecordingSignals& signals_;
+  std::string names_;
+};
+
+}  // namespace
+
+std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& signals,
+                              const MachineDescription& machine) {
+  Missing missing(signals);
+  if (balance == gap::Balance::kFeedForce) {
+    if (!machine.has_feed) return "the machine file has no [feed]";
+    return missing.need(Channel::kFeedForce).need_one_of(Channel::kFeedSpeed, Channel::kFeedPosition).text();
+  }
+  if (!machine.has_spindle) return "the machine file has no [spindle]";
+  missing.need(Channel::kArmatureVoltage).need(Channel::kSpindleSpeed);
+  if (balance == gap::Balance::kArmatureVoltage) missing.need(Channel::kArmatureCurrent);
+  return missing.text();
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "lib/gap/effect.hpp"
+#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/machine/machine_description.hpp"
+
+namespace morepro::host {
+
+/// What a balance needs and the machine file or the recording does not have; empty: nothing is missing.
+std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& signals,
+                              const MachineDescription& machine);
+
+}  // namespace morepro::host
