@@ -48,6 +48,14 @@ gap::Effect effect_of(const std::string& name) {
                                did_you_mean(name, names)));
 }
 
+/// The line of progress is gone when this returns: what is printed next has the terminal for itself.
+DiagnosisResult diagnosed(RecordingSignals signals, const MachineDescription& machine,
+                          DiagnosisOptions& options, bool is_shown, MachineDescription& with_effects) {
+  StageProgress progress("diagnose", is_shown);
+  options.on_progress = [&progress](std::string_view stage, double share) { progress.show(stage, share); };
+  return diagnose(std::move(signals), machine, options, with_effects);
+}
+
 void run(const DiagnoseArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
                  {{"--json", arguments.json}, {"--apply", arguments.apply}, {"--report", arguments.report}});
@@ -70,9 +78,8 @@ void run(const DiagnoseArguments& arguments) {
     options.on_axis = [&report](const AxisDiagnosis& axis) { report->take(axis); };
   }
   MachineDescription with_effects;
-  StageProgress progress("diagnose", arguments.progress != "off");
-  options.on_progress = [&progress](std::string_view stage, double share) { progress.show(stage, share); };
-  DiagnosisResult result = diagnose(std::move(signals), machine, options, with_effects);
+  DiagnosisResult result =
+      diagnosed(std::move(signals), machine, options, arguments.progress != "off", with_effects);
   result.file = recording.info().file;
   for (const std::string& notice : result.notices) warn(notice);
   const std::string text = diagnosis_json(result);

@@ -57,6 +57,18 @@ void note_assumptions(const RecordingSignals& signals, const MachineDescription&
     warn("engagement is not recorded; the machine's nominal one is taken for the force of the cut");
 }
 
+/// The line of progress is gone when this returns: what is printed next has the terminal for itself.
+IdentificationResult result_of(const RecordingSignals& signals, const MachineDescription& machine,
+                               const IdentifyArguments& arguments) {
+  StageProgress progress("identify", arguments.progress != "off");
+  const auto filter =
+      arguments.filter == "states" ? IdentificationFilter::kStates : IdentificationFilter::kDerivatives;
+  int pass = 0;
+  return identify(signals, machine, filter, [&](const std::string& stage) {
+    progress.show(fmt::format("{}, pass {}", stage, ++pass), 0.0);
+  });
+}
+
 void run(const IdentifyArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
                  {{"--json", arguments.json}, {"--apply", arguments.apply}, {"--report", arguments.report}});
@@ -72,13 +84,7 @@ void run(const IdentifyArguments& arguments) {
   const RecordingSignals signals = load_signals(recording, machine.usable_channels());
   check_contact(signals, machine);
   note_assumptions(signals, machine);
-  StageProgress progress("identify", arguments.progress != "off");
-  const auto filter =
-      arguments.filter == "states" ? IdentificationFilter::kStates : IdentificationFilter::kDerivatives;
-  int pass = 0;
-  IdentificationResult result = identify(signals, machine, filter, [&](const std::string& stage) {
-    progress.show(fmt::format("{}, pass {}", stage, ++pass), 0.0);
-  });
+  IdentificationResult result = result_of(signals, machine, arguments);
   result.file = recording.info().file;
   const std::string text = identification_json(result);
   const MachineDescription identified = identified_machine(machine, result);

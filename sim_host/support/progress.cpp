@@ -65,8 +65,9 @@ void StageProgress::show(std::string_view stage, double share) {
 
 /// ", 40 %, 3 s left"; nothing before there is something to judge by.
 std::string StageProgress::left(double share, Clock::time_point now) const {
-  if (!(share > 0.0)) return {};
+  constexpr double kTooSoonS = 0.3;
   const double elapsed_s = std::chrono::duration<double>(now - stage_start_).count();
+  if (!(share > 0.0) || elapsed_s < kTooSoonS) return {};
   return fmt::format(", {:.0f} %, {:.0f} s left", 100.0 * share, elapsed_s * (1.0 / share - 1.0));
 }
 

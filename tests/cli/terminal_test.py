@@ -45,6 +45,18 @@ class Terminal(ProgramTest):
         except OSError:
             pass  # how a terminal ends when nobody has it open any more
 
+    def in_one_terminal(self, *arguments):
+        """What a terminal shows that both outputs go to."""
+        own, theirs = pty.openpty()
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stdout=theirs, stderr=theirs,
+                                   env={**os.environ, "TERM": "xterm"})
+        os.close(theirs)
+        shown = bytearray()
+        self.drain(own, shown)
+        self.assertEqual(process.wait(TIME_LIMIT_S), 0)
+        os.close(own)
+        return bytes(shown)
+
     def in_log(self, *arguments):
         """stderr of the program as a file would have it."""
         process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
@@ -66,6 +78,13 @@ class Progress(Terminal):
         for line in lines[1:-1]:
             self.assertRegex(line, LINE)
         self.assertNotIn(b"\n", shown)
+
+    def test_the_line_is_gone_before_the_result_is_printed(self):
+        self.must_do("simulate", "--profile", "rich", "--duration", 4, "--effect", "brush_voltage_drop=1",
+                     "--out", "run.csv")
+        shown = self.in_one_terminal("diagnose", "run.csv")
+        self.assertIn(b"diagnose: ", shown)  # slow enough to show progress at all
+        self.assertRegex(shown, rb"\r\x1b\[Krecording ")
 
     def test_a_log_has_plain_lines_in_tenths(self):
         errors = self.in_log(*self.LONG)
