@@ -33,6 +33,7 @@ export function addCauses(place, { which, verdict, threshold, unexplained }) {
       text: `${percent(unexplained.share)} of what the datasheet's model leaves has no name.`,
     }));
   const { evidence, bootstrap_runs: runs, temperature } = threshold;
+  if (evidence === 0) return;  // nothing was looked at
   const chance = `Chance reaches an evidence of ${shown(evidence, 3)} in this recording (${runs} runs); evidence ` +
     `counts 1/${shown(temperature, 3)} in odds.`;
   place.append(element("p", { className: "muted", text: chance }));

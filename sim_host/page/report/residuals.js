@@ -65,6 +65,10 @@ function addAutocorrelation(place, { title, autocorrelations }) {
   }, [lags, ...known.map(({ value }) => value.slice(1))]);
 }
 
+/** Autocorrelation and spectrum are means over unbroken pieces. */
+const BROKEN = "No unbroken piece is long enough for a spectrum or an autocorrelation: they need 2048 samples.";
+const hasSpectrum = (sensors) => sensors.some(({ spectra }) => spectra.some(({ power }) => power.length > 0));
+
 function speedText({ mean_hz: f, spread, teeth }) {
   const steady = spread < STEADY ? "" : ` It varied by ${percent(spread, 0)}, so lines of the spindle are blurred.`;
   const tool = teeth > 0 ? `, of its ${teeth} teeth` : "";
@@ -87,7 +91,8 @@ export const residuals = {
         addAutocorrelation(grid, sensor);
       }
     });
-    if (data.turning) place.append(element("p", { className: "muted", text: speedText(data.turning) }));
+    const lines = data.turning ? speedText(data.turning) : "";
+    place.append(element("p", { className: "muted", text: hasSpectrum(data.whiteness ?? []) ? lines : BROKEN }));
     return true;
   },
 };

@@ -18,6 +18,6 @@ export function addValue(table, name, unit, mark) {
 
 /** null: there is none. */
 export function showValue(cell, value, digits = 4) {
-  cell.textContent = value == null ? "–" : value.toFixed(digits);
+  cell.textContent = value == null ? "–" : value.toFixed(digits).replace(/^-(?=[0.]+$)/, "");
   cell.dataset.value = value;
 }

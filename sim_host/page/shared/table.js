@@ -8,8 +8,20 @@ export function rangeText(range) {
   return low === high ? shown(low) : `${shown(low)} .. ${shown(high)}`;
 }
 
-/** A table in a frame that scrolls where it is too wide. `columns`: [heading, text of a row, is a number]. */
-export function tableOf(columns, rows) {
+/** Words on the row above, as wide as the table: in a column of their own they are too narrow to be read. */
+function addNote(body, columns, text) {
+  const line = body.insertRow();
+  line.className = "note";
+  const cell = line.insertCell();
+  cell.colSpan = columns.length;
+  cell.textContent = text;
+}
+
+/**
+ * A table in a frame that scrolls where it is too wide. `columns`: [heading, text of a row, is a number];
+ * `note`: a sentence on a row, or nothing.
+ */
+export function tableOf(columns, rows, note = () => "") {
   const table = document.createElement("table");
   const head = table.createTHead().insertRow();
   for (const [heading, , isNumber] of columns) {
@@ -27,6 +39,8 @@ export function tableOf(columns, rows) {
       cell.textContent = text(row);
       if (isNumber) cell.className = "number";
     }
+    const words = note(row);
+    if (words) addNote(body, columns, words);
   }
   const frame = document.createElement("div");
   frame.className = "table";
