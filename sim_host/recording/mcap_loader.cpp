@@ -31,6 +31,11 @@ class Loader {
     if (!channel_)
       throw UserError(fmt::format(
           "{}: there is no topic '{}'; only files that morepro convert wrote are read", file(), kMcapTopic));
+    if (!is_at_end_ && rows() < kFewestRows)
+      throw UserError(
+          fmt::format("{}: the recording was cut before its first chunk was whole, so nothing of it can be "
+                      "read; copy or convert it again",
+                      file()));
     if (!is_at_end_)
       recording_.damage =
           fmt::format("{}: the recording was cut; {} frames before the cut can be read", file(), rows());
@@ -135,6 +140,7 @@ class Loader {
     }
   }
 
+  static constexpr std::size_t kFewestRows = 2;
   static constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
   std::string_view whole_;

@@ -108,6 +108,8 @@ test("a cut file is readable up to the cut, and a changed byte is found", () => 
   const cut = readFileSync(join(folder, "cut.csv"), "utf8").split("\n").filter((line) => line !== "");
   assert.ok(cut.length > 5000 && cut.length < FRAMES);
   assert.equal(cut.at(-1), rows[cut.length - 7].join(","));
+  writeFileSync(join(folder, "cut.mcap"), file.subarray(0, 100_000));
+  assert.throws(() => run("convert", "cut.mcap", "cut.csv"), /cut\.mcap: the recording was cut before its first chunk/);
   const damaged = Buffer.from(file);
   damaged[file.length / 2 | 0] ^= 1;
   writeFileSync(join(folder, "damaged.mcap"), damaged);
