@@ -189,6 +189,10 @@ test("where, which and how far are those of the JSON", async () => {
       [refit, after, ...cells.map((cell) => cell.residual_ratio)]);
   const sorted = (values) => [...values].sort((a, b) => a - b);
   assert.deepEqual(sorted(ratios), sorted(expected));
+  const heats = await page.$$eval(".heat", (cells) => cells.map(({ style, dataset }) =>
+    [Number(dataset.ratio), Number.parseInt(style.getPropertyValue("--heat"), 10)]));
+  const largest = heats.reduce((most, cell) => (cell[0] > most[0] ? cell : most));
+  assert.equal(largest[1], Math.max(...heats.map(([, heat]) => heat)), "the largest residual is the darkest");
   assert.deepEqual(await page.$$eval(".cause", (all) => all.map(({ dataset }) => dataset.effect)),
     which.map(({ effect }) => effect));
   const { from, to } = where[0].cells.findLast(({ by }) => by === "time");

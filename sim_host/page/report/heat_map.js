@@ -2,7 +2,7 @@ import { shown } from "../shared/number.js";
 import { element, spoken } from "./element.js";
 
 const SIGNIFICANT = 0.01;
-/** Ratio at which a cell has its darkest colour; the scale is logarithmic. */
+/** Ratio at which a cell has its darkest colour where none is larger; the scale is logarithmic. */
 const DARKEST = 100;
 /** Of the colour, in percent: text stays readable on it, light or dark. */
 const STRONGEST = 65;
@@ -18,11 +18,9 @@ const REGIMES = {
 const range = ({ from, to }) => `${shown(from, 3)} .. ${shown(to, 3)}`;
 
 function cellOf(cell, regime) {
-  const share = Math.min(1, Math.max(0, Math.log(cell.residual_ratio) / Math.log(DARKEST)));
   const made = element("td", { className: "heat" },
     element("b", { text: shown(cell.residual_ratio, 3) }),
     element("span", { text: (regime.name ?? range)(cell) }));
-  made.style.setProperty("--heat", `${Math.round(STRONGEST * share)}%`);
   made.classList.toggle("significant", cell.p_value < SIGNIFICANT);
   made.title = `p = ${shown(cell.p_value, 2)}`;
   made.dataset.ratio = cell.residual_ratio;
@@ -76,12 +74,23 @@ const LEGEND =
   "1 is a perfect model. An outlined cell is more than chance (p below 0.01, corrected for the number of cells). A cell " +
   "of time shows that time in all charts.";
 
+/** One scale for all maps, so that the largest residual is the darkest and the place of a gap is seen. */
+function colour(cells) {
+  const ratios = cells.map(({ dataset }) => Number(dataset.ratio) || 1);
+  const darkest = Math.max(DARKEST, ...ratios);
+  cells.forEach((cell, i) => {
+    const share = Math.max(0, Math.log(Math.max(1, ratios[i])) / Math.log(darkest));
+    cell.style.setProperty("--heat", `${Math.round(STRONGEST * share)}%`);
+  });
+}
+
 /** Balances down, regimes across: one map per kind of regime. */
 export function addHeatMap(place, where, view) {
   const evaluated = where.filter((balance) => balance.evaluated);
   const kinds = [...new Set(evaluated.flatMap(({ cells }) => cells.map(({ by }) => by)))];
   if (evaluated.length > 0) {
     const maps = [overall(evaluated), ...kinds.map((by) => mapOf(by, evaluated, view))];
+    colour(maps.flatMap((map) => [...map.querySelectorAll(".heat")]));
     place.append(element("div", { className: "maps" }, ...maps.map((map) => element("div", { className: "map" }, map))),
       element("p", { className: "muted", text: LEGEND }));
   }
