@@ -118,7 +118,8 @@ class Colour(Terminal):
 class Pipes(ProgramTest):
     def test_json_alone_is_on_standard_output(self):
         self.must_do("simulate", "--profile", "rich", "--duration", 0.5, "--out", "run.csv")
-        for words in (("replay", "run.csv"), ("identify", "run.csv"), ("diagnose", "run.csv", "--bootstrap", 0),
+        for words in (("replay", "run.csv"), ("identify", "run.csv"),
+                      ("diagnose", "run.csv", "--bootstrap", 0, "--progress", "off"),
                       ("effects",), ("effects", "feed_spring"), ("diff", "run.csv", "run.csv"), ("thesis",),
                       ("bench", "--seconds", 0.01), ("kinematics", "--forward", 0.1, 0.2, 0.3, 1),
                       ("kinematics", "--inverse", 0.57, 0.3, 0.5, 1.57)):
