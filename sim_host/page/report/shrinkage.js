@@ -35,7 +35,7 @@ function group(place, text, balances) {
       element("div", { className: "map" }, bars(spoken(balance), errors)))));
 }
 
-/** How far the gap shrinks, with intervals, balance by balance. */
+/** How far the gap shrinks: the closed share with its interval, errors balance by balance. */
 export function addShrinkage(place, { shrinkage, which }) {
   if (which.length > 0) place.append(shareBar(shrinkage));
   else place.append(element("p", { className: "muted", text: NO_EFFECT }));
