@@ -52,7 +52,7 @@ gap::Effect effect_of(const std::string& name) {
 DiagnosisResult diagnosed(RecordingSignals signals, const MachineDescription& machine,
                           DiagnosisOptions& options, bool is_shown, MachineDescription& with_effects) {
   StageProgress progress("diagnose", is_shown);
-  options.on_progress = [&progress](std::string_view stage, double share) { progress.show(stage, share); };
+  options.on_progress = [&progress](double share) { progress.show("effects", share); };
   return diagnose(std::move(signals), machine, options, with_effects);
 }
 

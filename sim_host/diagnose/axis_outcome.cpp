@@ -10,11 +10,15 @@
 namespace morepro::host {
 namespace {
 
+constexpr double kSearchShare = 0.9;  // of an axis's time, about
+
 ChanceEvidence bootstrapped(const AxisDiagnosis& diagnosis, const DiagnosisOptions& options) {
   int done = 0;
-  return chance_evidence(
-      diagnosis.fit, diagnosis.rest, diagnosis.others, options.bootstrap_runs, options.seed,
-      [&] { options.on_progress("bootstrap", ++done / static_cast<double>(options.bootstrap_runs)); });
+  return chance_evidence(diagnosis.fit, diagnosis.rest, diagnosis.others, options.bootstrap_runs,
+                         options.seed, [&] {
+                           const double share = ++done / static_cast<double>(options.bootstrap_runs);
+                           options.on_progress(kSearchShare + (1.0 - kSearchShare) * share);
+                         });
 }
 
 void drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
@@ -50,10 +54,7 @@ double datasheet_evidence(const AxisFit& nominal) {
 }
 
 AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const DiagnosisOptions& options) {
-  const auto on_progress = [&](double share) {
-    options.on_progress(
-        start.axis() == Axis::kSpindle ? "effects of the spindle" : "effects of the feed axis", share);
-  };
+  const auto on_progress = [&](double share) { options.on_progress(kSearchShare * share); };
   AxisOutcome outcome{search_effects(start, nominal, options.excluded, kFixedThreshold, on_progress)};
   outcome.chance = bootstrapped(outcome.diagnosis, options);
   drop_what_chance_explains(outcome.diagnosis, outcome.threshold());

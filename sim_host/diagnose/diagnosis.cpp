@@ -37,11 +37,8 @@ constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty 
 constexpr std::size_t kFewestRows = 1000;
 
 bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
-  if (axis == Axis::kSpindle)
-    return machine.has_spindle && signals.has(Channel::kArmatureVoltage) &&
-           signals.has(Channel::kSpindleSpeed);
-  return machine.has_feed && signals.has(Channel::kFeedForce) &&
-         (signals.has(Channel::kFeedSpeed) || signals.has(Channel::kFeedPosition));
+  const auto balance = axis == Axis::kSpindle ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
+  return why_not_evaluated(balance, signals, machine).empty();
 }
 
 class Diagnosis {
@@ -104,18 +101,28 @@ class Diagnosis {
     if (is_position_only && factor > 1) signals_ = thinned(signals_, factor);
   }
 
-  void try_axes() {
-    std::mutex one_at_a_time;
+  /// Both axes report at once; what is told is how far the slower one is.
+  DiagnosisOptions reporting_for(std::size_t axis) {
     DiagnosisOptions options = options_;
-    options.on_progress = [&](std::string_view stage, double share) {
-      const std::lock_guard lock(one_at_a_time);
-      options_.on_progress(stage, share);
+    options.on_progress = [this, axis](double share) {
+      const std::lock_guard lock(one_at_a_time_);
+      share_done_[axis] = share;
+      options_.on_progress(std::min(share_done_[0], share_done_[1]));
     };
+    return options;
+  }
+
+  void try_axes() {
+    if (signals_.rows < kFewestRows) return;
     constexpr std::array kAxes{Axis::kSpindle, Axis::kFeed};
     std::array<std::optional<AxisOutcome>, kAxes.size()> outcomes;
+    for (std::size_t i = 0; i < kAxes.size(); ++i)
+      share_done_[i] = is_evaluable(kAxes[i], signals_, machine_) ? 0.0 : 1.0;
     in_parallel(kAxes.size(), [&](std::size_t i) {
-      if (is_evaluable(kAxes[i], signals_, machine_) && signals_.rows >= kFewestRows)
-        outcomes[i] = outcome_of(kAxes[i], signals_, datasheet_, options);
+      if (!is_evaluable(kAxes[i], signals_, machine_)) return;
+      const DiagnosisOptions options = reporting_for(i);
+      outcomes[i] = outcome_of(kAxes[i], signals_, datasheet_, options);
+      options.on_progress(1.0);
     });
     for (auto& outcome : outcomes)
       if (outcome) outcomes_.push_back(std::move(*outcome));
@@ -349,6 +356,8 @@ class Diagnosis {
     return machine;
   }
 
+  std::mutex one_at_a_time_;
+  std::array<double, 2> share_done_{};  ///< of each axis's search
   RecordingSignals signals_;
   MachineDescription machine_;
   DiagnosisOptions options_;

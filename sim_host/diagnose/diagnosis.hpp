@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <string_view>
 
 #include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/diagnosis_result.hpp"
@@ -15,7 +14,8 @@ struct DiagnosisOptions {
   int bootstrap_runs = 200;           ///< 0: a fixed threshold
   std::vector<gap::Effect> excluded;  ///< taken out of the catalogue
   std::uint64_t seed = 1;
-  std::function<void(std::string_view stage, double share)> on_progress = [](std::string_view, double) {};
+  /// How far the search for effects is, 0 .. 1. Called by several threads, one at a time.
+  std::function<void(double share)> on_progress = [](double) {};
   /// Called for each axis at the end, with all that was found out about it.
   std::function<void(const AxisDiagnosis&)> on_axis = [](const AxisDiagnosis&) {};
 };
