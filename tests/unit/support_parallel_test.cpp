@@ -30,10 +30,16 @@ TEST(InParallel, HandsOnWhatATaskThrows) {
 #if defined(__SSE2__)
 TEST(TinyNumbers, AreZeroAsLongAsTheGuardLives) {
   volatile double smallest = std::numeric_limits<double>::min();
+  volatile double tiny = 0.5 * smallest;
+  volatile double made = 1.0, taken = 1.0;
   {
     const NoTinyNumbers guard;
-    EXPECT_EQ(0.5 * smallest, 0.0);
+    made = 0.5 * smallest;
+    taken = 2.0 * tiny;
   }
+  // Looked at outside: inside, a tiny number equals zero whether it is one or not.
+  EXPECT_EQ(made, 0.0);
+  EXPECT_EQ(taken, 0.0);
   EXPECT_GT(0.5 * smallest, 0.0);
 }
 #endif
