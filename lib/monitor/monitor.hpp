@@ -111,7 +111,8 @@ class Monitor {
     SensorWatch sensors;
     SensorModel sensor_model;
     GapTracker gap;
-    RestartWatch restarts;
+    RestartWatch spindle_restarts;
+    RestartWatch feed_restarts;
     float rate_hz;
     float last_speed_rad_s = 0.0F;
   };
@@ -202,15 +203,16 @@ class Monitor {
     const auto outcome = e.spindle.step(e.held.spindle(), y, acceleration_rad_s2);
     note(outcome.speed_rejected, Channel::kSpindleSpeed);
     note(outcome.current_rejected, Channel::kArmatureCurrent);
-    count_restart(outcome.restarted);
+    count_restart(e.spindle_restarts, outcome.restarted);
     flag_law(e.spindle.chip_load().flags());
   }
 
   void step_feed(FeedMeasurement<float>& y) {
-    const auto outcome = estimators_.feed.step(estimators_.held.feed(), y);
+    auto& e = estimators_;
+    const auto outcome = e.feed.step(e.held.feed(), y);
     note(outcome.speed_rejected, Channel::kFeedSpeed);
     note(outcome.position_rejected, Channel::kFeedPosition);
-    count_restart(outcome.restarted);
+    count_restart(e.feed_restarts, outcome.restarted);
   }
 
   void flag(FrameFlag flag) {
@@ -223,8 +225,8 @@ class Monitor {
     health_.rejected_channels = static_cast<std::uint16_t>(health_.rejected_channels | bit_of(channel));
   }
 
-  void count_restart(bool restarted) {
-    estimators_.restarts.step(restarted);
+  void count_restart(RestartWatch& axis, bool restarted) {
+    axis.step(restarted);
     if (!restarted) return;
     flag(FrameFlag::kEstimatorReset);
     estimators_.parameters.restart();
@@ -316,7 +318,7 @@ class Monitor {
     if (fault != ReasonCode::kNone) return {HealthState::kSensorFault, fault};
     if (wear.is_worn()) return {HealthState::kReplace, ReasonCode::kWearLoadHigh};
     if (has_spindle_gap()) return {HealthState::kModelGap, ReasonCode::kModelResidual};
-    if (has_gap(estimators_.feed.ratio())) return {HealthState::kModelGap, ReasonCode::kModelFeedResidual};
+    if (has_feed_gap()) return {HealthState::kModelGap, ReasonCode::kModelFeedResidual};
     return with_gap(wear.judge(evidence));
   }
 
@@ -335,10 +337,16 @@ class Monitor {
   }
 
   [[nodiscard]] bool has_spindle_gap() const {
-    return estimators_.restarts.are_many() || has_gap(estimators_.spindle.ratio());
+    return has_gap(estimators_.spindle_restarts, estimators_.spindle.ratio());
   }
 
-  static bool has_gap(const RunningRatio& ratio) { return ratio.is_settled() && ratio.value() > kGapRatio; }
+  [[nodiscard]] bool has_feed_gap() const {
+    return has_gap(estimators_.feed_restarts, estimators_.feed.ratio());
+  }
+
+  static bool has_gap(const RestartWatch& restarts, const RunningRatio& ratio) {
+    return restarts.are_many() || (ratio.is_settled() && ratio.value() > kGapRatio);
+  }
 
   MonitorConfiguration configuration_;
   Health health_;

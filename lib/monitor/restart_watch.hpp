@@ -3,10 +3,11 @@
 
 namespace morepro {
 
-/// Counts how often a state had to start again because its prediction lost the measurement. Once is an
-/// accident; again and again within a short time, the model is wrong.
+/// Counts how often the state of one axis had to start again because its prediction lost the measurement.
+/// Once is an accident; again and again within a short time, the model is wrong.
 class RestartWatch {
  public:
+  /// Once per frame of that axis.
   void step(bool restarted) {
     if (frames_since_ < kMemory)
       ++frames_since_;

@@ -10,6 +10,7 @@
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/spindle_observer.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
+#include "sim_host/diagnose/size_columns.hpp"
 
 namespace morepro::host {
 namespace {
@@ -30,59 +31,11 @@ int directions_known(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& p
   return static_cast<int>((solver.eigenvalues().array() < 0.01).count());
 }
 
-bool is_pure_shape(const gap::EffectForm& form) { return gap::size_is_shape(form.effect) && form.parts == 1; }
-
-/// Columns of the effects in a model: what a little more of each part would change. Of a lag or a delay that
-/// is the difference of a longer and a shorter one, relative to its length: what the whole of it does has
-/// another shape, and steps along it crawl.
-class SizeColumns {
- public:
-  explicit SizeColumns(const std::vector<gap::AppliedEffect>& effects) {
-    for (const gap::AppliedEffect& effect : effects) {
-      if (is_pure_shape(effect.form)) {
-        add_difference(effect);
-        continue;
-      }
-      add(effect.form, effect.onset_s);
-      for (int part = 0; part < effect.form.parts; ++part) weights_.push_back({1.0});
-    }
-  }
-
-  [[nodiscard]] Disturbances disturbances() const { return {forms_, onset_s_}; }
-
-  /// Moments [parameters | one column per size | innovation] from those of the disturbances.
-  [[nodiscard]] Eigen::MatrixXd of(const Eigen::MatrixXd& moments, std::size_t parameters) const {
-    const auto first = static_cast<Eigen::Index>(parameters);
-    const auto sizes = static_cast<Eigen::Index>(weights_.size());
-    Eigen::MatrixXd combine = Eigen::MatrixXd::Zero(moments.rows(), first + sizes + 1);
-    combine.topLeftCorner(first, first).setIdentity();
-    combine(moments.rows() - 1, first + sizes) = 1.0;
-    Eigen::Index row = first;
-    for (Eigen::Index j = 0; j < sizes; ++j)
-      for (const double weight : weights_[static_cast<std::size_t>(j)]) combine(row++, first + j) = weight;
-    return combine.transpose() * moments * combine;
-  }
-
- private:
-  void add(const gap::EffectForm& form, double onset_s) {
-    forms_.push_back(form);
-    onset_s_.push_back(onset_s);
-  }
-  void add_difference(const gap::AppliedEffect& effect) {
-    constexpr float kLittle = 0.05F;
-    for (const float factor : {1.0F + kLittle, 1.0F - kLittle}) {
-      gap::EffectForm form = effect.form;
-      form.shape *= factor;
-      add(form, effect.onset_s);
-    }
-    const double per_change = 0.5 / static_cast<double>(kLittle);
-    weights_.push_back({per_change, -per_change});
-  }
-
-  std::vector<gap::EffectForm> forms_;
-  std::vector<double> onset_s_;
-  std::vector<std::vector<double>> weights_;  ///< of each size's disturbances
-};
+std::vector<Eigen::Index> all_columns(Eigen::Index count) {
+  std::vector<Eigen::Index> columns(static_cast<std::size_t>(count));
+  std::iota(columns.begin(), columns.end(), 0);
+  return columns;
+}
 
 }  // namespace
 
@@ -90,9 +43,7 @@ AxisFit::AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& dat
     : axis_(axis), signals_(&signals), datasheet_(datasheet), model_(datasheet) {}
 
 std::vector<Eigen::Index> AxisFit::parameter_columns() const {
-  std::vector<Eigen::Index> columns(parameter_count(axis_));
-  std::iota(columns.begin(), columns.end(), 0);
-  return columns;
+  return all_columns(static_cast<Eigen::Index>(parameter_count(axis_)));
 }
 
 Eigen::VectorXd AxisFit::precision(Eigen::Index width) const {
@@ -227,8 +178,7 @@ AxisFit::Trial AxisFit::tried() const {
 bool AxisFit::improve(Trial& best) {
   const Eigen::Index width = best.moments.cols();
   if (width == 0) return false;
-  std::vector<Eigen::Index> active(static_cast<std::size_t>(width - 1));
-  std::iota(active.begin(), active.end(), 0);
+  const std::vector<Eigen::Index> active = all_columns(width - 1);
   const LinearFit solution = fit(best.moments, active, precision(width), target(width));
   const double unit = std::max(solution.rss / std::max(best.statistics.total_rows(), 1.0), 1.0e-12);
   standard_error_ = (unit * solution.covariance.diagonal()).cwiseSqrt();
@@ -262,11 +212,49 @@ Eigen::VectorXd AxisFit::step_of(const Eigen::MatrixXd& moments, const std::vect
   const Eigen::VectorXd stiff = prior + damping * moments.diagonal();
   const Eigen::VectorXd pull = prior.cwiseProduct(target(width));
   const Eigen::VectorXd damped_target = (stiff.array() > 0.0).select(pull.array() / stiff.array(), 0.0);
-  const Eigen::VectorXd step = fit(moments, active, stiff, damped_target).coefficient;
+  return shortened(fit(moments, active, stiff, damped_target).coefficient);
+}
+
+Eigen::VectorXd AxisFit::shortened(const Eigen::VectorXd& step) const {
   const Eigen::Index relative =
       axis_ == Axis::kSpindle ? static_cast<Eigen::Index>(parameter_count(axis_)) : 2;
   const double longest = step.head(relative).cwiseAbs().maxCoeff();
   return std::min(1.0, kLongestStep / std::max(longest, 1.0e-12)) * step;
+}
+
+// A part that the pieces do not show stays about as large as the whole recording shows it.
+Eigen::VectorXd AxisFit::size_precision() const {
+  std::vector<double> precision;
+  for (const gap::AppliedEffect& effect : model_.effects) {
+    double size = 1.0;
+    if (!is_pure_shape(effect.form))
+      for (std::size_t part = 0; part < effect.form.parts; ++part)
+        size = std::max(part > 0 ? size : 1.0e-12, std::fabs(effect.coefficient[part]));
+    precision.insert(precision.end(), effect.form.parts, 1.0 / (size * size));
+  }
+  return Eigen::Map<const Eigen::VectorXd>(precision.data(), static_cast<Eigen::Index>(precision.size()));
+}
+
+std::array<GapModel, 2> AxisFit::cross_fitted(double block_s, std::size_t blocks) const {
+  const SizeColumns sizes(model_.effects);
+  const GapStatistics all = collect(axis_, *signals_, model_, sizes.disturbances(), whitening_, block_s);
+  std::array<GapModel, 2> models{model_, model_};
+  for (std::size_t parity = 0; parity < models.size(); ++parity) {
+    GapStatistics seen = all;
+    for (std::size_t b = 0; b < seen.block.size(); ++b)
+      if (b / blocks % 2 == parity) seen.block[b].setZero();
+    Eigen::MatrixXd moments = seen.total();
+    if (moments.cols() == 0) continue;
+    moments = sizes.of(moments, parameter_count(axis_));
+    const Eigen::Index width = moments.cols();
+    const Eigen::VectorXd of_sizes = size_precision();
+    Eigen::VectorXd prior = precision(width);
+    prior.segment(width - 1 - of_sizes.size(), of_sizes.size()) = of_sizes;
+    AxisFit one = *this;
+    one.take(shortened(fit(moments, all_columns(width - 1), prior, target(width)).coefficient));
+    models[parity] = one.model_;
+  }
+  return models;
 }
 
 void AxisFit::refit() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <limits>
 
 #include "sim_host/diagnose/gap_model.hpp"
@@ -60,6 +61,10 @@ class AxisFit {
   /// Where it is not, the offset is taken for the datasheet's, and the force for what remains of the load.
   void attribute_load();
 
+  /// Models for judging pieces that they have not seen: number k is fitted without every second run of
+  /// `blocks` blocks of `block_s`, those of parity k. One linear step from the model that fits everything.
+  [[nodiscard]] std::array<GapModel, 2> cross_fitted(double block_s, std::size_t blocks) const;
+
   [[nodiscard]] Axis axis() const { return axis_; }
   [[nodiscard]] const RecordingSignals& signals() const { return *signals_; }
   GapModel& model() { return model_; }
@@ -80,6 +85,8 @@ class AxisFit {
   [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments,
                                         const std::vector<Eigen::Index>& active, double damping) const;
   void take(const Eigen::VectorXd& step);
+  [[nodiscard]] Eigen::VectorXd shortened(const Eigen::VectorXd& step) const;
+  [[nodiscard]] Eigen::VectorXd size_precision() const;
   void take_parameters(const Eigen::VectorXd& step);
   void take_sizes(const Eigen::VectorXd& step);
 

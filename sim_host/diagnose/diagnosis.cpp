@@ -14,11 +14,12 @@
 #include "sim_host/diagnose/board_watch.hpp"
 #include "sim_host/diagnose/clock_jitter.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
+#include "sim_host/diagnose/model_comparison.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/diagnose/parameter_report.hpp"
 #include "sim_host/diagnose/reference_scales.hpp"
 #include "sim_host/diagnose/sampling_checks.hpp"
-#include "sim_host/diagnose/shrinkage.hpp"
+#include "sim_host/diagnose/share_closed.hpp"
 #include "sim_host/diagnose/unevaluated.hpp"
 #include "sim_host/diagnose/where.hpp"
 #include "sim_host/simulate/operating_point.hpp"
@@ -263,7 +264,7 @@ class Diagnosis {
         mark(balance, outcome);
         result_.where.push_back(std::move(balance));
       }
-      compare_models(outcome.diagnosis, result_.shrinkage);
+      compare_models(outcome.diagnosis, options_.seed, result_.shrinkage);
       gaps.insert(gaps.end(), rows.begin(), rows.end());
       for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit))
         result_.parameters.push_back(std::move(parameter));

@@ -48,16 +48,32 @@ Json which_of(const DiagnosisResult& r) {
   return which;
 }
 
-Json comparison_of(const std::array<std::optional<ModelComparison>, gap::kBalanceCount>& models) {
+Json comparison_of(const Comparisons& models) {
   Json comparison = Json::object();
   for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
     if (!models[b]) continue;
-    comparison[std::string(gap::kBalanceNames[b])] = {{"datasheet", json_number(models[b]->datasheet)},
-                                                      {"refit", json_number(models[b]->refit)},
-                                                      {"with_effect", json_number(models[b]->with_effect)},
-                                                      {"noise_floor", json_number(models[b]->noise_floor)}};
+    comparison[std::string(gap::kBalanceNames[b])] = {
+        {"datasheet", json_number(models[b]->datasheet.value)},
+        {"refit", json_number(models[b]->refit.value)},
+        {"with_effect", json_number(models[b]->with_effect.value)},
+        {"noise_floor", json_number(models[b]->noise_floor)}};
   }
   return comparison;
+}
+
+Json interval_of(const ModelError& error) {
+  return {json_number(error.interval90[0]), json_number(error.interval90[1])};
+}
+
+Json intervals_of(const Comparisons& models) {
+  Json intervals = Json::object();
+  for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
+    if (!models[b]) continue;
+    intervals[std::string(gap::kBalanceNames[b])] = {{"datasheet", interval_of(models[b]->datasheet)},
+                                                     {"refit", interval_of(models[b]->refit)},
+                                                     {"with_effect", interval_of(models[b]->with_effect)}};
+  }
+  return intervals;
 }
 
 Json shrinkage_of(const Shrinkage& s) {
@@ -67,7 +83,9 @@ Json shrinkage_of(const Shrinkage& s) {
           {"share_closed", json_number(s.share_closed)},
           {"ci90", {json_number(s.interval90[0]), json_number(s.interval90[1])}},
           {"one_step_nrmse", comparison_of(s.one_step_nrmse)},
-          {"free_run_nrmse", std::move(free_run)}};
+          {"free_run_nrmse", std::move(free_run)},
+          {"one_step_nrmse_ci90", intervals_of(s.one_step_nrmse)},
+          {"free_run_nrmse_ci90", intervals_of(s.free_run_nrmse)}};
 }
 
 Json board_of(const DiagnosisResult& r) {

@@ -57,20 +57,29 @@ struct EffectResult {
   std::vector<gap::Effect> alias_set{};
 };
 
-/// The same figure for four models; NaN where there is none.
+/// Root mean square error of a model as a share of what moves; NaN where it runs away.
+struct ModelError {
+  double value = 0.0;
+  std::array<double, 2> interval90{};  ///< NaN where the recording has too few pieces
+};
+
+/// The same figure for three models, and what noise alone would leave.
 struct ModelComparison {
-  double datasheet = 0.0;
-  double refit = 0.0;
-  double with_effect = 0.0;
+  ModelError datasheet;
+  ModelError refit;
+  ModelError with_effect;
   double noise_floor = 0.0;
 };
+
+/// Balance by balance, of those that are watched.
+using Comparisons = std::array<std::optional<ModelComparison>, gap::kBalanceCount>;
 
 struct Shrinkage {
   double share_closed = 0.0;
   std::array<double, 2> interval90{};
   double horizon_s = 1.0;
-  std::array<std::optional<ModelComparison>, gap::kBalanceCount> one_step_nrmse;
-  std::array<std::optional<ModelComparison>, gap::kBalanceCount> free_run_nrmse;
+  Comparisons one_step_nrmse;
+  Comparisons free_run_nrmse;
 };
 
 struct ParameterResult {

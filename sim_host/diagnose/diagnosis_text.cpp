@@ -39,25 +39,27 @@ std::string which_text(const DiagnosisResult& r) {
   return text;
 }
 
-// A model that runs away has no error.
-std::string percent(double share) {
-  return std::isfinite(share) ? fmt::format("{:8.3f} %", 100.0 * share) : fmt::format("{:>10}", "diverges");
+// A model that runs away has no error, and a short recording no interval.
+std::string percent(const ModelError& error) {
+  if (!std::isfinite(error.value)) return fmt::format("{:>17}", "diverges");
+  const auto [low, high] = error.interval90;
+  if (!std::isfinite(low)) return fmt::format("{:7.3f} {:9}%", 100.0 * error.value, "");
+  return fmt::format("{:7.3f} +- {:5.3f} %", 100.0 * error.value, 50.0 * (high - low));
 }
 
-std::string models_text(const char* title,
-                        const std::array<std::optional<ModelComparison>, gap::kBalanceCount>& m) {
+std::string models_text(const char* title, const Comparisons& m) {
   std::string text;
   for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
     if (!m[b]) continue;
-    text += fmt::format("  {:9} {:16}  datasheet {}  refit {}  with effects {}  noise {}\n", title,
+    text += fmt::format("  {:9} {:16}  datasheet {}  refit {}  with effects {}  noise {:.3f} %\n", title,
                         gap::kBalanceNames[b], percent(m[b]->datasheet), percent(m[b]->refit),
-                        percent(m[b]->with_effect), percent(m[b]->noise_floor));
+                        percent(m[b]->with_effect), 100.0 * m[b]->noise_floor);
   }
   return text;
 }
 
 std::string shrinkage_text(const DiagnosisResult& r) {
-  std::string text = "how far\n";
+  std::string text = "how far, each piece judged by models of the others (+-: half of the 90 % interval)\n";
   if (!r.which.empty())
     text += fmt::format("  {:.1f} % of the gap is closed on held-out pieces (90 %: {:.1f} .. {:.1f} %)\n",
                         100.0 * r.shrinkage.share_closed, 100.0 * r.shrinkage.interval90[0],

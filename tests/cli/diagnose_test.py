@@ -167,8 +167,14 @@ class Contract(Diagnose):
                                   "separate_by"}, set(effect))
             self.assertIn(effect["effect"], effect["alias_set"])
             self.assertTrue(effect["separate_by"])
-        for models in result["shrinkage"]["one_step_nrmse"].values():
-            self.assertEqual(set(models), {"datasheet", "refit", "with_effect", "noise_floor"})
+        for figure in ("one_step_nrmse", "free_run_nrmse"):
+            for balance, intervals in result["shrinkage"][figure + "_ci90"].items():
+                models = result["shrinkage"][figure][balance]
+                self.assertEqual(set(models), {"datasheet", "refit", "with_effect", "noise_floor"})
+                self.assertEqual(set(intervals), {"datasheet", "refit", "with_effect"})
+                for name, (low, high) in intervals.items():
+                    self.assertLess(low, high)
+                    self.assertTrue(low <= models[name] <= high, f"{figure} {balance} {name}")
         self.assertEqual(result["threshold"]["bootstrap_runs"], 20)
 
     def test_a_person_can_read_it(self):

@@ -203,6 +203,33 @@ test("where, which and how far are those of the JSON", async () => {
   assert.ok(Math.abs(shown[0] - from) < 1e-9 && Math.abs(shown[1] - Math.min(to, SECONDS)) < 1e-9, `${shown}`);
 });
 
+test("every error of a model stands with its interval", async () => {
+  const { page } = await open("diagnose");
+  const { shrinkage } = json("diagnose");
+  const percent = (share) => (100 * share).toFixed(2);
+  const rows = ["free_run_nrmse", "one_step_nrmse"].flatMap((figure) =>
+    Object.entries(shrinkage[`${figure}_ci90`]).flatMap(([balance, intervals]) =>
+      ["datasheet", "refit", "with_effect", "noise_floor"].map((model) => {
+        const error = shrinkage[figure][balance][model];
+        const [low, high] = intervals[model] ?? [];
+        return { text: `${percent(error)} %${low == null ? "" : `${percent(low)} .. ${percent(high)} %`}`, low, high, error };
+      })));
+  assert.equal(rows.length, 2 * 3 * 4);
+  const shown = await page.$$eval("#gap .bars tr", (all) => all.map((row) => {
+    const style = row.querySelector(".bar").style;
+    const share = (name) => Number.parseFloat(style.getPropertyValue(name));
+    return { text: [...row.querySelectorAll(".number")].map(({ textContent }) => textContent).join(""),
+      error: share("--share"), low: share("--low"), high: share("--high") };
+  }));
+  assert.deepEqual(shown.map(({ text }) => text), rows.map(({ text }) => text));
+  shown.forEach((bar, i) => {
+    const { low, high, error } = rows[i];
+    if (low == null) return assert.ok(Number.isNaN(bar.low), "no whisker without an interval");
+    assert.ok(Math.abs(bar.low * error - bar.error * low) < 0.02 * error, `${i}: the whisker begins where it should`);
+    assert.ok(Math.abs(bar.high * error - bar.error * high) < 0.02 * error, `${i}: and ends where it should`);
+  });
+});
+
 test("the page names the command and the recording's bytes", async () => {
   const { page } = await open("identify");
   const text = await page.$eval("#reproduce", (section) => section.textContent);

@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "sim_host/diagnose/innovation_pass.hpp"
-#include "sim_host/diagnose/noise_fit.hpp"
-#include "sim_host/diagnose/reference_scales.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {
 namespace {
 
 using diagnose_test::effect;
+using diagnose_test::gap_model;
 using diagnose_test::record;
 using gap::Effect;
 
@@ -93,10 +92,7 @@ class Sensitivity : public testing::TestWithParam<gap::AppliedEffect> {};
 TEST_P(Sensitivity, IsTheDerivativeOfTheInnovationsWithAnEffectInTheModel) {
   const gap::AppliedEffect one = GetParam();
   const RecordingSignals signals = record({.effects = {one}, .duration_s = 2.0});
-  const MachineDescription sheet = built_in_machine("reference");
-  GapModel model{.machine = sheet.configuration.machine,
-                 .point = reference_point_for(sheet, signals),
-                 .noise = usual_noise(sheet.configuration.sensors)};
+  GapModel model = gap_model(built_in_machine("reference"), signals);
   model.effects.push_back(one);
   const auto check = [&](const auto& parameters) {
     for (std::size_t j = 0; j < std::size(parameters); ++j) {

@@ -8,6 +8,9 @@
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "sim_host/diagnose/diagnosis.hpp"
+#include "sim_host/diagnose/gap_model.hpp"
+#include "sim_host/diagnose/noise_fit.hpp"
+#include "sim_host/diagnose/reference_scales.hpp"
 #include "sim_host/machine/machine_description.hpp"
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/simulate/simulation.hpp"
@@ -82,6 +85,13 @@ inline MachineDescription datasheet(double fraction) {
     sign = -sign;
   }
   return machine;
+}
+
+/// What a diagnosis begins with: the machine file's model.
+inline host::GapModel gap_model(const MachineDescription& sheet, const RecordingSignals& signals) {
+  return {.machine = sheet.configuration.machine,
+          .point = host::reference_point_for(sheet, signals),
+          .noise = host::usual_noise(sheet.configuration.sensors)};
 }
 
 inline DiagnosisResult diagnosed(RecordingSignals signals, const MachineDescription& machine,

@@ -129,6 +129,43 @@ TEST(Monitor, NoValueOfAnyFieldMakesAnOutputNotANumber) {
   }
 }
 
+/// A cut with a feed axis at rest that stands somewhere else every `jump_frames`, as no model explains it.
+std::vector<SensorFrame> frames_with_a_jumping_feed(int frames, int jump_frames) {
+  const auto& feed = kReference.machine.feed;
+  const auto cutting_n = static_cast<float>(feed.contact_force_n + feed.contact_offset_n);
+  auto cut = test::frames_of(kReference, {.frames = frames});
+  for (std::size_t k = 0; k < cut.size(); ++k) {
+    const auto jumps = static_cast<int>(k) / jump_frames;
+    cut[k].clear(Channel::kFeedSpeed);
+    cut[k].set(Channel::kFeedForce, cut[k].get(Channel::kContact) * cutting_n);
+    cut[k].set(Channel::kFeedPosition, static_cast<float>(jumps % 2));
+  }
+  return cut;
+}
+
+TEST(Monitor, AFeedAxisThatIsLostAgainAndAgainIsNoFaultOfTheSpindle) {
+  const Health health = run(frames_with_a_jumping_feed(6000, 900));
+  EXPECT_EQ(health.state, HealthState::kModelGap);
+  EXPECT_EQ(health.reason, static_cast<std::uint16_t>(ReasonCode::kModelFeedResidual));
+  EXPECT_EQ(health.chip_load_state, ChipLoadState::kValid) << "the feed is no part of it";
+}
+
+TEST(Monitor, AFeedAxisWithoutASpindleIsNotAnsweredAsASpindle) {
+  auto frames = frames_with_a_jumping_feed(6000, 900);
+  for (auto& frame : frames) {
+    frame.clear(Channel::kArmatureVoltage);
+    frame.clear(Channel::kSpindleSpeed);
+    frame.clear(Channel::kArmatureCurrent);
+  }
+  EXPECT_EQ(run(frames).reason, static_cast<std::uint16_t>(ReasonCode::kModelFeedResidual));
+}
+
+TEST(Monitor, RemembersTheRestartsOfAnAxisForItsOwnFrames) {
+  const auto kGap = static_cast<std::uint16_t>(ReasonCode::kModelFeedResidual);
+  EXPECT_EQ(run(frames_with_a_jumping_feed(18000, 4000)).reason, kGap);
+  EXPECT_NE(run(frames_with_a_jumping_feed(24500, 5500)).reason, kGap) << "each an accident";
+}
+
 TEST(Monitor, RejectsAnInRangeSpike) {
   auto frames = test::frames_of(kReference, {});
   const Health clean = run(frames);

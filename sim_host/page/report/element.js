@@ -24,6 +24,15 @@ export function barOf(share, className = "") {
   return bar;
 }
 
+/** The same with what it may be by its uncertainty, from `low` to `high`. */
+export function barWithInterval(share, [low, high], className) {
+  const bar = barOf(share, className);
+  bar.append(element("u"));
+  bar.style.setProperty("--low", width(low));
+  bar.style.setProperty("--high", width(high));
+  return bar;
+}
+
 /** A name with underscores as people read it. */
 export function spoken(name) {
   return name.replaceAll("_", " ");

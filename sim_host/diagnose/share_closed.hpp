@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <span>
 
-#include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/balance_rows.hpp"
 #include "sim_host/diagnose/diagnosis_result.hpp"
 
@@ -18,8 +17,5 @@ struct UnnamedPower {
 /// better known than its rows and what cannot be seen in them allow. `unnamed[i]`: of balance i.
 void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
                   std::uint64_t seed, Shrinkage& shrinkage);
-
-/// One-step and free-run errors of an axis, relative to the standard deviation of what is measured.
-void compare_models(const AxisDiagnosis& diagnosis, Shrinkage& shrinkage);
 
 }  // namespace morepro::host

@@ -1,0 +1,14 @@
+#pragma once
+#include <cstdint>
+
+#include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/diagnosis_result.hpp"
+
+namespace morepro::host {
+
+/// One-step and free-run errors of an axis, relative to the standard deviation of what is measured. Each
+/// piece of the recording is judged by models that were fitted without it and every other one; the 90 %
+/// intervals come from drawing the pieces anew, reproducibly by `seed`.
+void compare_models(const AxisDiagnosis& diagnosis, std::uint64_t seed, Shrinkage& shrinkage);
+
+}  // namespace morepro::host

@@ -1,0 +1,71 @@
+#include "sim_host/diagnose/share_closed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim_host/simulate/random_numbers.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kOneSided95 = 1.645;
+// No catalogue has a machine's exact shapes. Of the excess an effect of another shape leaves this much on
+// average, and hardly ever more than that.
+constexpr double kUsualMisfit = 0.02;
+constexpr double kLargestMisfit = 0.10;
+using Chosen = std::vector<std::size_t>;
+
+/// `floor`: the noise floor of each balance as a share of what the effects leave.
+double share_of(std::span<const BalanceRows> balances, std::span<const double> floor,
+                const std::vector<Chosen>& chosen) {
+  double closed = 0.0;
+  double open = 0.0;
+  for (std::size_t b = 0; b < balances.size(); ++b) {
+    for (const std::size_t i : chosen[b]) {
+      const double before = balances[b].held_out_before[i];
+      const double after = balances[b].held_out_after[i];
+      closed += before - after;
+      open += before - after * floor[b];
+    }
+  }
+  return open > 0.0 ? std::clamp(closed / open, -1.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
+void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
+                  std::uint64_t seed, Shrinkage& shrinkage) {
+  std::vector<double> likely;
+  std::vector<double> lowest;
+  std::vector<double> highest;
+  std::vector<Chosen> chosen(balances.size());
+  for (std::size_t b = 0; b < balances.size(); ++b) {
+    const double rows = std::max(static_cast<double>(balances[b].after.size() * kRowsPerWindow), 1.0);
+    const bool has_gap = !(unnamed[b].unseen == 0.0);
+    const double chance = has_gap ? kOneSided95 * std::sqrt(2.0 / (kOverlap * rows)) : 0.0;
+    likely.push_back(1.0 / (1.0 + unnamed[b].found / rows));
+    lowest.push_back((1.0 - chance) / (1.0 + (unnamed[b].found + unnamed[b].unseen) / rows));
+    highest.push_back(likely.back() * (1.0 + chance));
+    chosen[b].resize(balances[b].held_out_before.size());
+    std::iota(chosen[b].begin(), chosen[b].end(), 0);
+  }
+  shrinkage.share_closed = (1.0 - kUsualMisfit) * share_of(balances, likely, chosen);
+  constexpr int kDraws = 400;
+  std::vector<double> low;
+  std::vector<double> high;
+  for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+    std::uint64_t counter = 0;
+    for (Chosen& pieces : chosen)
+      for (std::size_t& piece : pieces) piece = mixed(mixed(seed, draw), counter++) % pieces.size();
+    low.push_back(share_of(balances, lowest, chosen));
+    high.push_back(share_of(balances, highest, chosen));
+  }
+  std::sort(low.begin(), low.end());
+  std::sort(high.begin(), high.end());
+  const double lowest_share = (1.0 - kLargestMisfit) * low[kDraws / 20];
+  shrinkage.interval90 = {std::min(lowest_share, shrinkage.share_closed),
+                          std::max(high[kDraws - 1 - kDraws / 20], shrinkage.share_closed)};
+}
+
+}  // namespace morepro::host
