@@ -19,7 +19,9 @@ class UdCovariance {
   using Parameters = std::array<Real, kParameters>;
 
   /// Diagonal covariance.
-  explicit UdCovariance(const Vector& variance) : d_(variance) {
+  explicit UdCovariance(const Vector& variance) { restart(variance); }
+  void restart(const Vector& variance) {
+    d_ = variance;
     for (std::size_t i = 0; i < kN; ++i)
       for (std::size_t j = 0; j < kN; ++j) u_[i][j] = i == j ? Real(1) : Real(0);
   }

@@ -42,10 +42,7 @@ class FeedParameterFilter {
   /// Back to the datasheet.
   void forget() {
     anchor_at(datasheet_);
-    typename Covariance::Vector start;
-    start.fill(start_variance_);
-    start[0] = start[1] = Real(1);
-    covariance_ = Covariance(start);
+    forget_covariance({Real(1), Real(1)});
   }
 
   /// As SpindleParameterFilter::anchor_at. A contact force of 0 in the datasheet is no parameter.
@@ -104,9 +101,12 @@ class FeedParameterFilter {
 
   /// As SpindleParameterFilter::drift.
   void drift(FeedParameter parameter, Real frames) {
-    const std::size_t j = 2 + index_of(parameter);
+    const std::size_t j = index_of(parameter);
+    const Real known = covariance_.variance(2 + j);
+    if (has_left(learnt_from_[j], value_[j], known, start_variance_))
+      return forget_covariance({covariance_.variance(0), covariance_.variance(1)});
     const Real q = drift_variance_ * frames;
-    if (covariance_.variance(j) + q < Real(kKnown) * start_variance_) covariance_.add_variance(j, q);
+    if (known + q < Real(kKnown) * start_variance_) covariance_.add_variance(2 + j, q);
   }
 
   /// Uses the measurements; returns the normalised innovation squared.
@@ -146,6 +146,16 @@ class FeedParameterFilter {
     return static_cast<std::size_t>(parameter);
   }
 
+  /// As SpindleParameterFilter::forget_covariance.
+  void forget_covariance(const std::array<Real, 2>& state_variance) {
+    learnt_from_ = value_;
+    typename Covariance::Vector start;
+    start.fill(start_variance_);
+    start[0] = state_variance[0];
+    start[1] = state_variance[1];
+    covariance_.restart(start);
+  }
+
   template <std::size_t kElement>
   Real update_one(Real innovation, Real variance) {
     const auto update = covariance_.template update<kElement>(variance);
@@ -168,6 +178,7 @@ class FeedParameterFilter {
   Real drift_variance_;
   Values datasheet_;
   Values value_{};
+  Values learnt_from_{};  ///< values at which the covariance began
   Real x_{}, v_{};
   Covariance covariance_{{}};
   [[no_unique_address]] typename Mode::template Record<Real> record_{};

@@ -28,11 +28,10 @@ struct Anchored {
   static constexpr bool kFindsFriction = false;
   template <class Values>
   struct Deviation {
-    Values value{};                      ///< of the logarithms from those of the anchor
-    bool is_still = false;               ///< what the slopes are made of is held
-    typename Values::value_type held{};  ///< the feed speed that a rest holds
-    std::array<typename Values::value_type, 2>
-        reference{};  ///< speed and current of a spindle, nearly without noise
+    Values value{};                                        ///< of the logarithms from those of the anchor
+    bool is_still = false;                                 ///< what the slopes are made of is held
+    typename Values::value_type held{};                    ///< the feed speed that a rest holds
+    std::array<typename Values::value_type, 2> at_rest{};  ///< the spindle's speed and current that it holds
   };
   /// What the last update saw of each measured element.
   template <class Real>

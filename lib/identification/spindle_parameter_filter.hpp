@@ -57,11 +57,8 @@ class SpindleParameterFilter {
   /// Back to the datasheet.
   void forget() {
     anchor_at(datasheet_);
-    known_.fill(start_variance_);
-    typename Covariance::Vector start;
-    start.fill(start_variance_);
-    start[0] = start[1] = Real(1);
-    covariance_ = Covariance(start);
+    state_variance_ = {Real(1), Real(1)};
+    forget_covariance();
   }
 
   /// The values to linearise at: in Anchored throughout, else only the first estimate. All > 0.
@@ -77,11 +74,8 @@ class SpindleParameterFilter {
     i_ = y.current_a;
     covariance_.restart(0, y.speed_variance);
     covariance_.restart(1, y.current_variance);
-    if constexpr (Mode::kIsAnchored) {
-      w_regressor_ = w_;
-      i_regressor_ = i_;
-      deviation_.reference = {w_, i_};
-    }
+    reference_ = {w_, i_};
+    if constexpr (Mode::kIsAnchored) deviation_.at_rest = reference_;
     state_variance_ = {y.speed_variance, y.current_variance};
   }
 
@@ -106,11 +100,9 @@ class SpindleParameterFilter {
     const Matrix phi = held_response(a);
     const Matrix f = (a * phi).plus_identity();
     Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
-    Regressors r;
-    if constexpr (Mode::kIsAnchored)
-      r = mean_regressors(dw, di, a, phi);
-    else
-      r = regressors(dw, di, w_change, i_change, f);
+    if constexpr (!Mode::kIsAnchored) follow_estimate();
+    Regressors r = regressors(dw, di, a, phi);
+    if constexpr (Mode::kIsAnchored) hold_at_rest(r);
     Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
     Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
                         -kv * r.w * per_inductance};
@@ -145,6 +137,7 @@ class SpindleParameterFilter {
   void drift(SpindleParameter parameter, Real frames) {
     const std::size_t j = index_of(parameter);
     known_[j] = covariance_.variance(2 + j);
+    if (has_left(learnt_from_[j], value_[j], known_[j], start_variance_)) return forget_covariance();
     const Real q = drift_variance_ * frames;
     if (known_[j] + q < Real(kKnown) * start_variance_) covariance_.add_variance(2 + j, q);
   }
@@ -152,9 +145,8 @@ class SpindleParameterFilter {
   /// Uses the measurements; returns the normalised innovation squared.
   Real update(const SpindleMeasurement<Real>& y) {
     if constexpr (Mode::kIsAnchored) {
-      auto& reference = deviation_.reference;
-      if (y.has_speed()) reference[0] += Real(kReferenceGain) * (y.speed_rad_s - reference[0]);
-      if (y.has_current()) reference[1] += Real(kReferenceGain) * (y.current_a - reference[1]);
+      if (y.has_speed()) reference_[0] += Real(kReferenceGain) * (y.speed_rad_s - reference_[0]);
+      if (y.has_current()) reference_[1] += Real(kReferenceGain) * (y.current_a - reference_[1]);
     }
     Values step{};
     Real nis{};
@@ -193,12 +185,10 @@ class SpindleParameterFilter {
   /// Process noise of w and i per step, as a share of one measurement's variance.
   static constexpr double kProcessShare = 0.01;
 
-  /// Inertia and inductance learn only from changes that are so many standard deviations - of the current's
-  /// estimate for the inductance, of what the state's noise does to the predicted change for the inertia: a
-  /// regressor that is nothing but noise pumps its parameter in one direction, and claims to know it.
-  static constexpr double kMoves = 10.0;
+  /// Standard deviations of the estimate that the reference may be left behind by.
+  static constexpr double kLeftBehind = 3.0;
 
-  /// Of what a measurement is away from the reference, per frame.
+  /// Of what the machine is away from the reference, per frame.
   static constexpr double kReferenceGain = 1.0 / 256.0;
 
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
@@ -206,6 +196,17 @@ class SpindleParameterFilter {
 
   static constexpr std::size_t index_of(SpindleParameter parameter) {
     return static_cast<std::size_t>(parameter);
+  }
+
+  /// The values stay, and are known no better than a datasheet's.
+  void forget_covariance() {
+    learnt_from_ = value_;
+    known_.fill(start_variance_);
+    typename Covariance::Vector start;
+    start.fill(start_variance_);
+    start[0] = state_variance_[0];
+    start[1] = state_variance_[1];
+    covariance_.restart(start);
   }
 
   /// Integral of exp(A s) over one period, by its series to the fourth term: 4e-4 of the change in one period
@@ -223,45 +224,38 @@ class SpindleParameterFilter {
   struct Regressors {
     Real w, i, dw, di;
   };
-  /// On line: at the beginning of the period, without what is nothing but noise.
-  Regressors regressors(Real dw, Real di, Real w_change, Real i_change, const Matrix& f) {
-    const Real w_variance = state_variance_[0], i_variance = state_variance_[1];
-    w_regressor_ = held_regressor(w_regressor_, w_, w_variance);
-    i_regressor_ = held_regressor(i_regressor_, i_, i_variance);
-    const bool speed_moves = moves(w_change, f.a00 - Real(1), w_variance, f.a01, i_variance);
-    const bool current_moves = i_change * i_change > Real(kMoves * kMoves) * i_variance;
-    return {w_regressor_, i_regressor_, speed_moves ? dw : Real(0), current_moves ? di : Real(0)};
-  }
-
-  /// Anchored: of a reference that follows the machine a hundred times slower than the estimate does, so that
-  /// next to no noise is in it. Means over the period, which may be as long as L/R. At rest speed and current
-  /// are held, and nothing changes.
-  Regressors mean_regressors(Real dw, Real di, const Matrix& a, const Matrix& phi) {
-    auto& reference = deviation_.reference;
-    const Real w_off = reference[0] - w_, i_off = reference[1] - i_;
+  /// Of a reference that takes the model's changes and follows the machine a hundred times slower than the
+  /// estimate does: noise in the slopes would turn the line on which resistance and back-EMF constant lie,
+  /// and pump inertia and inductance, and all would seem to be known. Means over the period, which may be as
+  /// long as L/R.
+  Regressors regressors(Real dw, Real di, const Matrix& a, const Matrix& phi) {
+    const Real w_off = reference_[0] - w_, i_off = reference_[1] - i_;
     const Real w_rate = dw + a.a00 * w_off + a.a01 * i_off, i_rate = di + a.a10 * w_off + a.a11 * i_off;
     const Real w_change = phi.a00 * w_rate + phi.a01 * i_rate, i_change = phi.a10 * w_rate + phi.a11 * i_rate;
-    const Real w_mean = reference[0] + Real(0.5) * w_change, i_mean = reference[1] + Real(0.5) * i_change;
-    reference[0] += w_change;
-    reference[1] += i_change;
-    if (deviation_.is_still) return {w_regressor_, i_regressor_, Real(0), Real(0)};
-    w_regressor_ = w_mean;
-    i_regressor_ = i_mean;
+    const Real w_mean = reference_[0] + Real(0.5) * w_change, i_mean = reference_[1] + Real(0.5) * i_change;
+    reference_[0] += w_change;
+    reference_[1] += i_change;
     const Real per_period = Real(1) / period_s_;
     return {w_mean, i_mean, w_change * per_period, i_change * per_period};
   }
 
-  static bool moves(Real change, Real per_w, Real w_variance, Real per_i, Real i_variance) {
-    const Real noise = per_w * per_w * w_variance + per_i * per_i * i_variance;
-    return change * change > Real(kMoves * kMoves) * noise;
+  /// On line the model may be far off yet: a reference that is left behind begins anew at the estimate.
+  void follow_estimate() {
+    reference_[0] = followed(reference_[0], w_, state_variance_[0]);
+    reference_[1] = followed(reference_[1], i_, state_variance_[1]);
+  }
+  static Real followed(Real reference, Real state, Real variance) {
+    const Real distance = state - reference;
+    const bool is_left_behind = distance * distance > Real(kLeftBehind * kLeftBehind) * variance;
+    return is_left_behind ? state : reference + Real(kReferenceGain) * distance;
   }
 
-  /// A regressor follows its state only where the state has moved beyond its own noise. Otherwise the noise
-  /// of speed and current would turn the line on which resistance and back-EMF constant lie, and both would
-  /// seem to be known.
-  static Real held_regressor(Real held, Real state, Real variance) {
-    const Real distance = state - held;
-    return distance * distance > Real(kMoves * kMoves) * variance ? state : held;
+  /// Anchored: at rest speed and current are those that the rest began with, and nothing changes.
+  void hold_at_rest(Regressors& r) requires Mode::kIsAnchored {
+    if (deviation_.is_still)
+      r = {deviation_.at_rest[0], deviation_.at_rest[1], Real(0), Real(0)};
+    else
+      deviation_.at_rest = {r.w, r.i};
   }
 
   /// Second-order term of the change in one period, which the linearised covariance does not see: a product
@@ -291,10 +285,11 @@ class SpindleParameterFilter {
   Real drift_variance_;
   Values datasheet_;
   Values value_{};
+  Values learnt_from_{};  ///< values at which the covariance began
   Real w_{}, i_{};
   std::array<Real, 2> state_variance_{};  ///< of w and i after the last frame
-  Real w_regressor_{}, i_regressor_{};
-  Values known_{};  ///< relative variance of each parameter, refreshed by its drift
+  std::array<Real, 2> reference_{};       ///< speed and current, nearly without noise
+  Values known_{};                        ///< relative variance of each parameter, refreshed by its drift
   Covariance covariance_{{}};
   [[no_unique_address]] typename Mode::template Record<Real> record_{};
   [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};

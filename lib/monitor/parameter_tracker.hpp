@@ -84,7 +84,7 @@ class ParameterTracker {
   static constexpr float kCorrelated = 0.9F;
   static constexpr float kNullLine =
       0.98F;  // along such a line the claimed variance is not to be trusted either
-  static constexpr float kSharp = 0.01F;    // so well known, it does not matter with what it is correlated
+  static constexpr float kSharp = 0.003F;   // so well known, it does not matter with what it is correlated
   static constexpr float kMismatch = 3.0F;  // normalised innovation squared of a model that does not fit
 
   static float period_of(const MonitorConfiguration& c) {
@@ -169,8 +169,9 @@ class ParameterTracker {
     const float variance = filter.covariance(parameter, parameter);
     estimate.value = filter.value(parameter);
     estimate.standard_error = estimate.value * math::sqrt(variance);
-    const bool is_learnt =
-        variance <= kUsableError * kUsableError && variance <= kLearnt * filter.start_variance();
+    const bool is_on_null_line = correlation_squared > kNullLine * kNullLine && variance > kSharp * kSharp;
+    const bool is_learnt = variance <= kUsableError * kUsableError &&
+                           variance <= kLearnt * filter.start_variance() && !is_on_null_line;
     estimate.status = is_learnt                                         ? ParameterStatus::kIdentifiable
                       : correlation_squared > kCorrelated * kCorrelated ? ParameterStatus::kCorrelated
                                                                         : ParameterStatus::kNoExcitation;
