@@ -197,26 +197,45 @@ TEST(Identification, NoiseDoesNotTellResistanceFromBackEmf) {
   }
 }
 
+/// Parameters that were called identifiable, and those of them that are farther off than three standard
+/// errors.
+struct Claims {
+  int all = 0;
+  int wrong = 0;
+
+  void count(const Experiment& run) {
+    const auto estimates = identify(run);
+    for (std::size_t j = 0; j < kParameterCount; ++j) {
+      if (estimates[j].status != ParameterStatus::kIdentifiable) continue;
+      const double error = relative_error(run, j, estimates[j]) * true_values(run.truth)[j];
+      ++all;
+      if (error > 3.0 * static_cast<double>(estimates[j].standard_error)) ++wrong;
+    }
+  }
+};
+
 // Of 7,459 claims over both machines, four datasheets, eight excitations and 30 seeds 0.5 % were farther off
 // than three standard errors; 11 % were, up to 475 % off, when slopes were those of the noisy estimate and
 // what was learnt at the wrong datasheet's values stayed.
 TEST(Identification, ClaimsNothingFalseOfAMachineThatHardlyMoves) {
-  int claimed = 0, false_claims = 0;
+  Claims claims;
   for (const auto& truth : {thesis_configuration(), reference_configuration()})
     for (const double factor : {1.0, 1.3, 2.0})
       for (const auto stimulate : {stay_in_contact, stay_in_the_air, swing, step_the_voltage})
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-          const Experiment run{truth, wrong_by(truth, factor), stimulate, 20000, seed};
-          const auto estimates = identify(run);
-          for (std::size_t j = 0; j < kParameterCount; ++j) {
-            if (estimates[j].status != ParameterStatus::kIdentifiable) continue;
-            const double error = relative_error(run, j, estimates[j]) * true_values(truth)[j];
-            ++claimed;
-            if (error > 3.0 * static_cast<double>(estimates[j].standard_error)) ++false_claims;
-          }
-        }
-  EXPECT_GT(claimed, 150) << "what is told is said";
-  EXPECT_LE(false_claims, claimed / 50);
+        for (std::uint64_t seed = 1; seed <= 3; ++seed)
+          claims.count({truth, wrong_by(truth, factor), stimulate, 20000, seed});
+  EXPECT_GT(claims.all, 150) << "what is told is said";
+  EXPECT_LE(claims.wrong, claims.all / 50);
+}
+
+// With slopes of the noisy estimate the torque constant was up to 9 standard errors off in a third of these.
+TEST(Identification, NoiseInTheSlopesIsNoKnowledge) {
+  Claims claims;
+  const auto truth = thesis_configuration();
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    claims.count({truth, wrong_by(truth, 2.0), swing, 20000, seed});
+  EXPECT_GE(claims.all, 10);
+  EXPECT_EQ(claims.wrong, 0);
 }
 
 TEST(Identification, IsNotRunWhereTheSamplingMissesTheInductance) {
