@@ -70,6 +70,8 @@ for (const command of COMMANDS) {
     await waitForCharts(page);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `${wide} px beyond ${LOOKS[command].size.width}`);
+    const cut = await page.$$eval(".map", (all) => all.filter((map) => map.scrollWidth > map.clientWidth).length);
+    assert.equal(cut, 0, "maps whose last cells are out of sight");
     assert.deepEqual(await page.$$eval("section", (all) => all.map(({ id }) => id)), SECTIONS[command]);
     for (const selector of DRAWN[command])
       for (const [i, ink] of (await inkOf(page, selector)).entries())
