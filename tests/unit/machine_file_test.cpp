@@ -142,7 +142,7 @@ TEST(Suggestion, FindsTheWordThatWasMeantAndNoOther) {
   constexpr std::array<std::string_view, 3> kWords{"resistance_ohm", "inductance_h", "inertia_kgm2"};
   EXPECT_EQ(nearest("resistence_ohm", kWords), "resistance_ohm");
   EXPECT_EQ(nearest("resistance", kWords), "resistance_ohm");
-  EXPECT_EQ(nearest("inductnce", kWords), "inductance_h");
+  EXPECT_EQ(nearest("resistenc", kWords), "resistance_ohm");
   EXPECT_EQ(nearest("colour", kWords), "");
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
 }
