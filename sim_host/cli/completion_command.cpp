@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/frame/channel.hpp"
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/cli/command.hpp"
 
@@ -33,12 +34,28 @@ std::string closed_set(const CLI::Option& option) {
   return words;
 }
 
+std::string column_names() {
+  std::vector<std::string_view> names;
+  for (const ChannelInfo& info : kChannels) names.push_back(info.column);
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
 /// What may follow an option; empty: a file, or anything.
 std::string values_of(const CLI::Option& option) {
   const std::string name = option.get_lnames().empty() ? "" : option.get_lnames().front();
+  if (name == "tol") return column_names();
+  if (name == "map") return "time_s " + column_names();
   if (name == "effect" || name == "exclude") return effect_names();
   if (name == "machine") return "reference thesis";
   return closed_set(option);
+}
+
+/// What the first word of a command may be; empty: a file, or anything.
+std::string first_words_of(const CLI::App& command) {
+  if (command.get_name() == "effects") return effect_names();
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_positional()) return closed_set(*option);
+  return {};
 }
 
 std::string case_of(const CLI::App& command) {
@@ -49,6 +66,9 @@ std::string case_of(const CLI::App& command) {
       if (const std::string known = values_of(*option); !known.empty())
         values += fmt::format("        --{}) words=\"{}\" ;;\n", name, known);
     }
+  if (const std::string known = first_words_of(command); !known.empty())
+    values += fmt::format("        {}) case \"$word\" in -*) ;; *) words=\"{}\" ;; esac ;;\n",
+                          command.get_name(), known);
   std::string text = fmt::format("    {})\n      words=\"{}\"\n", command.get_name(),
                                  words.empty() ? words : words.substr(1));
   if (!values.empty()) text += fmt::format("      case \"$before\" in\n{}      esac\n", values);
@@ -67,10 +87,11 @@ std::string script_of(const CLI::App& program) {
       "_morepro() {{\n"
       "  local word=\"${{COMP_WORDS[COMP_CWORD]}}\" before=\"${{COMP_WORDS[COMP_CWORD-1]}}\" words=\"\"\n"
       "  case \"$COMP_CWORD ${{COMP_WORDS[1]}}\" in\n"
-      "    1\\ *) COMPREPLY=($(compgen -W \"{} --help --version\" -- \"$word\")); return ;;\n"
+      "    1\\ *) COMPREPLY=($(compgen -W \"{0} help --help --version\" -- \"$word\")); return ;;\n"
       "  esac\n"
       "  case \"${{COMP_WORDS[1]}}\" in\n"
-      "{}"
+      "    help) words=\"{0}\" ;;\n"
+      "{1}"
       "  esac\n"
       "  COMPREPLY=()\n"
       "  case \"$word $words\" in\n"

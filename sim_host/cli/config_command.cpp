@@ -25,7 +25,7 @@ void run(const ConfigArguments& arguments) {
   const MachineDescription machine = load_machine(arguments.machine);
   OutputFile file(arguments.out);
   file.write(machine_file_text(machine));
-  file.write(estimator_comments(machine.configuration));
+  file.write(estimator_comments(machine));
   file.commit();
 }
 

@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   morepro::host::keep_command_line(argc, argv);
   CLI::App program{"Tool wear and machine health from sensor recordings: the monitor of the board, on a PC.",
                    "morepro"};
+  program.footer("'morepro help COMMAND': its options, and examples to try.");
   program.require_subcommand(1);
   program.set_version_flag("--version", MOREPRO_VERSION);
   morepro::host::add_simulate(program);

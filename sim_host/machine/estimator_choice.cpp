@@ -85,4 +85,13 @@ void set_rate(MonitorConfiguration& configuration, double rate_hz) {
   configuration.sampling.rate_hz = rate_hz;
 }
 
+void choose_estimators(MonitorConfiguration& configuration, bool has_contact) {
+  const double rate_hz = configuration.sampling.rate_hz;
+  if (has_contact) configuration.grid = grid_for(configuration.machine);
+  configuration.tuning = tuning_for(configuration.sensors, configuration.grid);
+  configuration.gap = gap_tuning_for(configuration.sensors);
+  configuration.sampling = Sampling{};
+  set_rate(configuration, rate_hz);
+}
+
 }  // namespace morepro::host

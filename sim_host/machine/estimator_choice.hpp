@@ -15,6 +15,9 @@ FilterTuning tuning_for(const Sensors& sensors, const HypothesisGrid& grid);
 /// that is hardly random.
 GapTuning gap_tuning_for(const Sensors& sensors);
 
+/// What the program chooses where a machine file does not say it: hypotheses, filters, the watch of the gap.
+void choose_estimators(MonitorConfiguration& configuration, bool has_contact);
+
 /// The same estimators at another sampling rate: the noise per second stays, the noise per step changes.
 void set_rate(MonitorConfiguration& configuration, double rate_hz);
 

@@ -7,22 +7,24 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "lib/monitor/configuration_check.hpp"
 #include "sim_host/machine/effect_tables.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
-#include "sim_host/machine/gap_key.hpp"
 #include "sim_host/machine/machine_key.hpp"
 #include "sim_host/machine/machine_rules.hpp"
+#include "sim_host/machine/setting_key.hpp"
 #include "sim_host/support/input_file.hpp"
 #include "sim_host/support/suggestion.hpp"
 
 namespace morepro::host {
 namespace {
 
-constexpr std::array<std::string_view, 10> kTables{"machine", "spindle",  "feed",    "tool",    "contact",
-                                                   "thermal", "sampling", "sensors", "effects", "gap"};
+constexpr std::array<std::string_view, 11> kTables{"machine", "spindle", "feed",     "tool",
+                                                   "contact", "thermal", "sampling", "sensors",
+                                                   "effects", "gap",     "wear"};
 
 std::vector<std::string_view> keys_of(std::string_view table) {
   std::vector<std::string_view> names;
@@ -34,6 +36,8 @@ std::vector<std::string_view> keys_of(std::string_view table) {
   if (table == "sampling") names.push_back("rate_hz");
   if (table == "gap")
     for (const GapKey& key : gap_keys()) names.push_back(key.key);
+  if (table == "wear")
+    for (const WearKey& key : wear_keys()) names.push_back(key.key);
   return names;
 }
 
@@ -64,8 +68,9 @@ class MachineFile {
     read_sensors();
     check_rules(machine_, path_);
     if (const toml::node* effects = root_.get("effects")) read_effects(*effects, path_, machine_);
-    choose_estimators();
+    choose_estimators(machine_.configuration, machine_.has_contact);
     read_gap();
+    read_wear();
     return std::move(machine_);
   }
 
@@ -263,29 +268,36 @@ class MachineFile {
 
   // After the choice of the estimators: what was found out is better than what is usual.
   void read_gap() {
-    const toml::table* table = table_at("gap");
-    machine_.has_gap = table != nullptr;
+    machine_.has_gap = table_at("gap") != nullptr;
+    read_settings("gap", gap_keys(), machine_.configuration.gap);
+  }
+
+  void read_wear() {
+    WearLimits& wear = machine_.configuration.wear;
+    read_settings("wear", wear_keys(), wear);
+    if (wear.low_ratio > 1.0)
+      refuse("wear.low_ratio", fmt::format("= {} is impossible; it must be at most 1", wear.low_ratio));
+    if (wear.replace_ratio >= wear.watch_ratio) return;
+    const bool is_own = machine_.places.contains("wear.replace_ratio");
+    refuse(is_own ? "wear.replace_ratio" : "wear.watch_ratio",
+           fmt::format("makes replace_ratio = {} smaller than watch_ratio = {}; WATCH comes before REPLACE",
+                       wear.replace_ratio, wear.watch_ratio));
+  }
+
+  template <typename Settings>
+  void read_settings(std::string_view name, std::span<const SettingKey<Settings>> keys, Settings& settings) {
+    const toml::table* table = table_at(name);
     if (table == nullptr) return;
-    check_names(*table, keys_of("gap"), "key", " of [gap]");
-    for (const GapKey& key : gap_keys()) {
-      double& value = key.of(machine_.configuration.gap);
-      value = number(*table, "gap", key.key, value);
+    check_names(*table, keys_of(name), "key", fmt::format(" of [{}]", name));
+    for (const SettingKey<Settings>& key : keys) {
+      double& value = key.of(settings);
+      value = number(*table, name, key.key, value);
       if (!table->contains(key.key)) continue;
       if (value > key.lowest || (key.may_be_lowest && value == key.lowest)) continue;
-      refuse(fmt::format("gap.{}", key.key),
+      refuse(fmt::format("{}.{}", name, key.key),
              fmt::format("= {} is impossible; it must be {} {}", value,
                          key.may_be_lowest ? "at least" : "greater than", key.lowest));
     }
-  }
-
-  void choose_estimators() {
-    MonitorConfiguration& configuration = machine_.configuration;
-    const double rate_hz = configuration.sampling.rate_hz;
-    if (machine_.has_contact) configuration.grid = grid_for(configuration.machine);
-    configuration.tuning = tuning_for(configuration.sensors, configuration.grid);
-    configuration.gap = gap_tuning_for(configuration.sensors);
-    configuration.sampling = Sampling{};
-    set_rate(configuration, rate_hz);
   }
 
   std::string path_;

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+#include <span>
+
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
-#include "sim_host/machine/gap_key.hpp"
+#include "sim_host/machine/estimator_choice.hpp"
 #include "sim_host/machine/machine_key.hpp"
+#include "sim_host/machine/setting_key.hpp"
 
 namespace morepro::host {
 namespace {
@@ -56,9 +60,11 @@ std::string refinement(const gap::AppliedEffect& effect, const gap::AppliedEffec
   return text;
 }
 
-std::string gap_table(GapTuning gap) {
-  std::string text = "\n[gap]\n";
-  for (const GapKey& key : gap_keys()) text += fmt::format("{} = {}\n", key.key, key.of(gap));
+template <typename Settings>
+std::string settings_table(std::string_view name, std::span<const SettingKey<Settings>> keys,
+                           Settings settings) {
+  std::string text = fmt::format("\n[{}]\n", name);
+  for (const SettingKey<Settings>& key : keys) text += fmt::format("{} = {}\n", key.key, key.of(settings));
   return text;
 }
 
@@ -78,6 +84,7 @@ std::string effect_table(const gap::AppliedEffect& effect, const MachineParamete
 std::string machine_file_text(const MachineDescription& machine) {
   std::string text = fmt::format("[machine]\nname = {}\n", quoted(machine.name));
   text += parameter_tables(machine);
+  if (machine.has_contact) text += settings_table("wear", wear_keys(), machine.configuration.wear);
   text += fmt::format("\n[sampling]\nrate_hz = {}\n", machine.configuration.sampling.rate_hz);
   for (std::size_t i = 0; i < kChannelCount; ++i) {
     const SensorNoise& sensor = machine.configuration.sensors[static_cast<Channel>(i)];
@@ -85,34 +92,36 @@ std::string machine_file_text(const MachineDescription& machine) {
     text +=
         fmt::format("\n[sensors.{}]\nnoise = {}\nlsb = {}\n", kChannels[i].column, sensor.noise, sensor.lsb);
   }
-  if (machine.has_gap) text += gap_table(machine.configuration.gap);
+  if (machine.has_gap) text += settings_table("gap", gap_keys(), machine.configuration.gap);
   for (const gap::AppliedEffect& effect : machine.effects)
     text += effect_table(effect, machine.configuration.machine);
   return text;
 }
 
-std::string estimator_comments(const MonitorConfiguration& configuration) {
-  const HypothesisGrid& grid = configuration.grid;
-  const FilterTuning& tuning = configuration.tuning;
+std::string estimator_comments(const MachineDescription& machine) {
+  MonitorConfiguration chosen = machine.configuration;
+  if (machine.is_built_in) choose_estimators(chosen, machine.has_contact);
+  const FilterTuning& own = machine.configuration.tuning;
+  const FilterTuning& tuning = chosen.tuning;
   std::string text = "\n# Chosen from the above:\n";
   const auto add = [&text](std::string_view name, auto value) {
     text += fmt::format("# {} = {}\n", name, value);
   };
-  add("hypotheses", grid.count);
-  add("first_hypothesis_mm", grid.first_mm);
-  add("hypothesis_step_mm", grid.step_mm);
-  add("speed_process_noise_rad_s", tuning.speed_process_noise_rad_s);
-  add("current_process_noise_a", tuning.current_process_noise_a);
-  add("feed_process_noise_m_s", tuning.feed_process_noise_m_s);
-  add("chip_load_drift_mm", tuning.chip_load_drift_mm);
+  const auto add_tuned = [&text, &machine](std::string_view name, double value, double built_in) {
+    const bool is_other = std::fabs(value - built_in) > 1e-9 * value;
+    text += fmt::format("# {} = {}", name, value);
+    text += is_other ? fmt::format(" (--machine {}: {})\n", machine.name, built_in) : "\n";
+  };
+  add("hypotheses", chosen.grid.count);
+  add("first_hypothesis_mm", chosen.grid.first_mm);
+  add("hypothesis_step_mm", chosen.grid.step_mm);
+  add_tuned("speed_process_noise_rad_s", tuning.speed_process_noise_rad_s, own.speed_process_noise_rad_s);
+  add_tuned("current_process_noise_a", tuning.current_process_noise_a, own.current_process_noise_a);
+  add_tuned("feed_process_noise_m_s", tuning.feed_process_noise_m_s, own.feed_process_noise_m_s);
+  add_tuned("chip_load_drift_mm", tuning.chip_load_drift_mm, own.chip_load_drift_mm);
   add("switch_probability", tuning.switch_probability);
   add("parameter_start_fraction", tuning.parameter_start_fraction);
-  add("wear_watch_ratio", configuration.wear.watch_ratio);
-  add("wear_replace_ratio", configuration.wear.replace_ratio);
-  add("wear_low_ratio", configuration.wear.low_ratio);
-  add("wear_hold_s", configuration.wear.hold_s);
-  GapTuning gap = configuration.gap;
-  for (const GapKey& key : gap_keys()) add(fmt::format("gap.{}", key.key), key.of(gap));
+  for (const GapKey& key : gap_keys()) add(fmt::format("gap.{}", key.key), key.of(chosen.gap));
   return text;
 }
 

@@ -8,7 +8,10 @@
 
 namespace morepro::host {
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+namespace {
+
+/// Of `a` from the first j letters of `b`, for every j.
+std::vector<std::size_t> distances(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -20,16 +23,26 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
       row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
     }
   }
-  return row.back();
+  return row;
 }
+
+/// Of a word from a candidate, or from its beginning: somebody left its end off.
+std::size_t slips(std::string_view word, std::string_view candidate) {
+  const std::vector<std::size_t> row = distances(word, candidate);
+  constexpr std::size_t kShortest = 4;
+  return word.size() < kShortest ? row.back() : std::min(row.back(), *std::ranges::min_element(row) + 1);
+}
+
+}  // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) { return distances(a, b).back(); }
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
   // A third of the letters: a slip of the keyboard or a forgotten unit, not another word.
   std::size_t best_distance = std::max(word.size() / 3, std::size_t{1}) + 1;
   std::string_view best;
   for (const std::string_view candidate : candidates) {
-    const bool unit_forgotten = word.size() >= 4 && candidate.starts_with(word);
-    const std::size_t distance = unit_forgotten ? 1 : edit_distance(word, candidate);
+    const std::size_t distance = slips(word, candidate);
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;

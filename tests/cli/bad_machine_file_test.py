@@ -55,11 +55,18 @@ spindle_excitation = 5
 feed_evidence = 30
 feed_temperature = 1.5
 feed_excitation = 6
+[wear]
+watch_ratio = 1.2
+replace_ratio = 1.5
+low_ratio = 0.8
+hold_s = 0.1
+datasheet_tolerance = 0.05
 """
 GAP_NOISE = ["speed_process_noise_rad_s", "current_process_noise_a", "feed_process_noise_m_s"]
 GAP_POSITIVE = ["spindle_evidence", "spindle_excitation", "feed_evidence", "feed_excitation"]
 GAP_TEMPERATURES = ["spindle_temperature", "feed_temperature"]
 GAP = GAP_NOISE + GAP_POSITIVE + GAP_TEMPERATURES
+WEAR = ["watch_ratio", "replace_ratio", "low_ratio", "hold_s", "datasheet_tolerance"]
 LINES = GOOD.count("\n")
 POSITIVE = ["torque_constant_nm_a", "back_emf_constant_vs_rad", "resistance_ohm", "inductance_h", "inertia_kgm2",
             "mass_kg", "diameter_mm", "teeth", "chip_load_mm", "speed_scale_rad_s", "exponent"]
@@ -109,6 +116,14 @@ CORPUS = {
     **{f"{key} is text (gap)": wrong(key, '"much"', "no number") for key in GAP},
     **{f"{key} is no value (gap)": wrong(key, "nan", "not finite") for key in GAP},
     **{f"{key} = 1e30 (gap)": wrong(key, "1e30", "magnitude") for key in GAP},
+    **{f"{key} = -1 (wear)": wrong(key, -1, "impossible", f"wear.{key}") for key in WEAR},
+    **{f"{key} is text (wear)": wrong(key, '"much"', "no number") for key in WEAR},
+    "nothing is too little": wrong("low_ratio", 0, "impossible", "greater than 0"),
+    "a sharp tool cuts too little": wrong("low_ratio", 1.1, "impossible", "at most 1"),
+    "replace before watch": wrong("replace_ratio", 1.1, "smaller than watch_ratio = 1.2"),
+    "watch after replace": (GOOD.replace("replace_ratio = 1.5\n", "").replace("watch_ratio = 1.2", "watch_ratio = 1.6"),
+                            f"line {GOOD[:GOOD.index('watch_ratio')].count(chr(10)) + 1}", "smaller than"),
+    "misspelt wear": misspelt("watch_ratio", "wach_ratio"),
     "misspelt evidence": misspelt("spindle_evidence", "spindel_evidence"),
     "gap is a number": ("gap = 3\n" + GOOD[:GOOD.index("[gap]")], "line 1", "no table"),
     "deafening sensor": wrong("noise", "1e6", "magnitude"),

@@ -59,6 +59,16 @@ class Completion(ProgramTest):
         self.assertEqual(self.offered("morepro", "simulate", "--profile", "pro"), ["production"])
         self.assertEqual(self.offered("morepro", "diagnose", "run.csv", "--exclude", "feed_back"), ["feed_backlash"])
 
+    def test_bash_gets_what_a_command_explains(self):
+        self.assertEqual(self.offered("morepro", "effects", "feed_back"), ["feed_backlash"])
+        self.assertEqual(self.offered("morepro", "help", "di"), ["diff", "diagnose"])
+        self.assertEqual(self.offered("morepro", "completion", "z"), ["zsh"])
+        self.assertIn("--json", self.offered("morepro", "effects", "--j"))
+
+    def test_bash_gets_signals(self):
+        self.assertEqual(self.offered("morepro", "diff", "--tol", "feed_f"), ["feed_force_n"])
+        self.assertEqual(self.offered("morepro", "convert", "a.mat", "b.csv", "--map", "time"), ["time_s"])
+
     def test_files_are_left_to_the_shell(self):
         self.assertEqual(self.offered("morepro", "diagnose", "run.c"), [])
 

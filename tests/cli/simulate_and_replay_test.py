@@ -1,6 +1,7 @@
 """The main job: a simulated recording goes in, chip load and health come out."""
 
 import json
+import re
 import unittest
 
 from program import ProgramTest
@@ -217,6 +218,14 @@ class SimulateAndReplay(ProgramTest):
         self.assertEqual(result["frames"]["reasons"]["not_finite"], 2)
         self.assertEqual(result["frames"]["reasons"]["out_of_range"], 2)
         self.assertEqual(result["frames"]["accepted"], 2000)
+
+    def test_config_says_what_a_file_of_it_gets(self):
+        for name in ("reference", "thesis"):
+            self.must_do("config", "--machine", name, "--out", "machine.toml")
+            said = (self.folder / "machine.toml").read_text()
+            again = self.must_do("config", "--machine", "machine.toml").stdout
+            self.assertIn(f" (--machine {name}: ", said)
+            self.assertEqual(re.sub(r" \(--machine .*\)", "", said), again)
 
     def test_the_datasheet_is_wrong_by_the_fraction(self):
         self.must_do("simulate", "--duration", "0.01", "--datasheet-error", "0.1", "--machine-out", "sheet.toml",

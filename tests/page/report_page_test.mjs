@@ -203,6 +203,17 @@ test("where, which and how far are those of the JSON", async () => {
   assert.ok(Math.abs(shown[0] - from) < 1e-9 && Math.abs(shown[1] - Math.min(to, SECONDS)) < 1e-9, `${shown}`);
 });
 
+test("eight seconds of it fit a tablet, and a cause says what outside the catalogue looks the same", async () => {
+  folder.run("simulate", "--profile", "rich", "--duration", "8", "--effect", "brush_voltage_drop=1", "--out",
+    "brush.csv", "--progress", "off");
+  folder.run("diagnose", "brush.csv", "--bootstrap", "0", "--report", "brush.html", "--progress", "off");
+  const { page } = await open("brush", { size: TABLET });
+  const cut = await page.$$eval(".map", (all) => all.filter((map) => map.scrollWidth > map.clientWidth).length);
+  assert.equal(cut, 0, "maps whose last cells are out of sight");
+  assert.match(await page.$eval(".cause[data-effect=brush_voltage_drop]", ({ textContent }) => textContent),
+    /inverter dead time looks the same/);
+});
+
 test("every error of a model stands with its interval", async () => {
   const { page } = await open("diagnose");
   const { shrinkage } = json("diagnose");

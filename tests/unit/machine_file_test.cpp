@@ -9,10 +9,10 @@
 
 #include "lib/monitor/monitor.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
-#include "sim_host/machine/gap_key.hpp"
 #include "sim_host/machine/machine_file_reader.hpp"
 #include "sim_host/machine/machine_file_writer.hpp"
 #include "sim_host/machine/machine_key.hpp"
+#include "sim_host/machine/setting_key.hpp"
 #include "sim_host/support/suggestion.hpp"
 
 namespace morepro::host {
@@ -75,6 +75,22 @@ TEST(MachineFile, WithoutAGapTableTheWatchGetsTheBuiltInMachinesOwnSettings) {
   }
 }
 
+TEST(MachineFile, KeepsWhatIsCalledABluntTool) {
+  MachineDescription written = built_in_machine("reference");
+  written.configuration.wear = {.watch_ratio = 1.3,
+                                .replace_ratio = 1.7,
+                                .low_ratio = 0.7,
+                                .hold_s = 0.25,
+                                .datasheet_tolerance = 0.02};
+  MachineDescription machine = read(machine_file_text(written));
+  for (const WearKey& key : wear_keys())
+    EXPECT_EQ(key.of(machine.configuration.wear), key.of(written.configuration.wear)) << key.key;
+  WearLimits usual;
+  MachineDescription unsaid = read("[feed]\nmass_kg = 95\n");
+  for (const WearKey& key : wear_keys())
+    EXPECT_EQ(key.of(unsaid.configuration.wear), key.of(usual)) << key.key;
+}
+
 TEST(MachineFile, AGapTableMayStateOnlySomeKeys) {
   const GapTuning gap = read("[feed]\nmass_kg = 95\n[gap]\nfeed_evidence = 77\n").configuration.gap;
   EXPECT_EQ(gap.feed.evidence, 77.0);
@@ -126,6 +142,7 @@ TEST(Suggestion, FindsTheWordThatWasMeantAndNoOther) {
   constexpr std::array<std::string_view, 3> kWords{"resistance_ohm", "inductance_h", "inertia_kgm2"};
   EXPECT_EQ(nearest("resistence_ohm", kWords), "resistance_ohm");
   EXPECT_EQ(nearest("resistance", kWords), "resistance_ohm");
+  EXPECT_EQ(nearest("resistenc", kWords), "resistance_ohm");
   EXPECT_EQ(nearest("colour", kWords), "");
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
 }
