@@ -6,21 +6,20 @@
 
 namespace morepro::host {
 
-NativeReader::NativeReader(const std::string& path)
-    : file_(path),
-      rest_(reinterpret_cast<const std::uint8_t*>(file_.text().data()), file_.text().size()),
-      scan_(scan_native(path, rest_)) {}
+NativeReader::NativeReader(const std::string& path) : bytes_(path), scan_(scan_native(path, bytes_)) {
+  bytes_.rewind();
+}
 
 bool NativeReader::next(SensorFrame& frame) {
   // The scan has looked at the same bytes: where it found nothing damaged there is nothing.
   const FrameCheck check = scan_.integrity.corrupt.total() == 0 ? FrameCheck::kDone : FrameCheck::kCrc;
-  while (!rest_.empty()) {
-    if (record_.take(rest_, check)) {
+  while (!bytes_.ahead().empty()) {
+    if (!decoder_.is_inside_record() && record_.take(bytes_.ahead(), check)) {
       record_.read(frame);
       count(frame);
       return true;
     }
-    if (decoder_.next(rest_) != wire::DecodeEvent::kRecord) continue;
+    if (decoder_.next(bytes_.ahead()) != wire::DecodeEvent::kRecord) continue;
     if (const auto* read = std::get_if<SensorFrame>(&decoder_.record())) {
       frame = *read;
       count(frame);

@@ -1,14 +1,13 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "lib/frame/sensor_frame.hpp"
 #include "lib/wire/decoder.hpp"
 #include "sim_host/recording/intact_frame.hpp"
 #include "sim_host/recording/native_scan.hpp"
-#include "sim_host/support/input_file.hpp"
+#include "sim_host/support/file_window.hpp"
 
 namespace morepro::host {
 
@@ -35,8 +34,7 @@ class NativeReader {
  private:
   void count(const SensorFrame& frame);
 
-  InputFile file_;
-  std::span<const std::uint8_t> rest_;
+  FileWindow bytes_;
   NativeScan scan_;
   IntactFrame record_;
   wire::Decoder decoder_;  ///< of what is no intact frame

@@ -60,27 +60,30 @@ class Scanner {
 };
 
 /// Returns the number of records.
-std::uint64_t scan_records(std::span<const std::uint8_t> bytes, NativeScan& scan) {
+std::uint64_t scan_records(FileWindow& bytes, NativeScan& scan) {
   Scanner scanner(scan);
   wire::Decoder decoder;
   IntactFrame frame;
   std::uint64_t records = 0;
-  for (auto rest = bytes; !rest.empty();) {
-    const std::uint64_t offset = bytes.size() - rest.size();
-    if (frame.take(rest, FrameCheck::kCrc)) {
-      scan.integrity.has_end = false;
-      scanner.take_frame(frame.sequence(), frame.time_us(), frame.present());
-      scan.integrity.cut_offset = bytes.size() - rest.size();
-      ++records;
-      continue;
+  std::uint64_t piece_offset = 0;  // where what the decoder is in the middle of began
+  while (!bytes.ahead().empty()) {
+    if (!decoder.is_inside_record()) {
+      piece_offset = bytes.offset();
+      if (frame.take(bytes.ahead(), FrameCheck::kCrc)) {
+        scan.integrity.has_end = false;
+        scanner.take_frame(frame.sequence(), frame.time_us(), frame.present());
+        scan.integrity.cut_offset = bytes.offset();
+        ++records;
+        continue;
+      }
     }
-    const auto event = decoder.next(rest);
+    const auto event = decoder.next(bytes.ahead());
     if (event == wire::DecodeEvent::kCorrupt && decoder.corrupt().total() == 1)
-      scan.integrity.first_corrupt_offset = offset;
+      scan.integrity.first_corrupt_offset = piece_offset;
     if (event != wire::DecodeEvent::kRecord) continue;
     scan.integrity.has_end = false;
     std::visit(scanner, decoder.record());
-    scan.integrity.cut_offset = bytes.size() - rest.size();
+    scan.integrity.cut_offset = bytes.offset();
     ++records;
   }
   if (decoder.is_inside_record()) scan.integrity.has_end = false;
@@ -106,13 +109,13 @@ void warn(NativeScan& scan) {
 
 }  // namespace
 
-NativeScan scan_native(const std::string& file, std::span<const std::uint8_t> bytes) {
+NativeScan scan_native(const std::string& file, FileWindow& bytes) {
   NativeScan scan;
   scan.info.file = file;
   if (scan_records(bytes, scan) == 0)
-    throw UserError(
-        fmt::format("{}: no native recording: {}; give a file that morepro wrote, or a CSV that ends in .csv",
-                    file, bytes.empty() ? "the file is empty" : "it holds no intact record from byte 0 on"));
+    throw UserError(fmt::format(
+        "{}: no native recording: {}; give a file that morepro wrote, or a CSV that ends in .csv", file,
+        bytes.offset() == 0 ? "the file is empty" : "it holds no intact record from byte 0 on"));
   warn(scan);
   return scan;
 }

@@ -1,12 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "lib/monitor/monitor_configuration.hpp"
 #include "lib/wire/record.hpp"
 #include "sim_host/recording/recording_info.hpp"
+#include "sim_host/support/file_window.hpp"
 
 namespace morepro::host {
 
@@ -33,8 +33,8 @@ struct NativeScan {
   std::optional<MonitorConfiguration> configuration;  ///< the first one that the recording holds
 };
 
-/// Looks through `bytes`; `file` is its name for sentences. Corrupt places and a missing end become warnings.
-/// Throws UserError where not a single record is found.
-NativeScan scan_native(const std::string& file, std::span<const std::uint8_t> bytes);
+/// Looks through `bytes` to their end; `file` is its name for sentences. Corrupt places and a missing end
+/// become warnings. Throws UserError where not a single record is found.
+NativeScan scan_native(const std::string& file, FileWindow& bytes);
 
 }  // namespace morepro::host
