@@ -112,11 +112,16 @@ std::vector<GapCell> cells_of(Axis axis, const RecordingSignals& signals, const 
                             centre + 1.5 * resolution_hz, powers,
                             [band](std::size_t, std::size_t b) { return b == band; }));
   }
+  // Windows overlap by half; cells meet where the middles of neighbours do.
+  const auto border_s = [&](std::size_t window) {
+    if (window == 0) return signals.time_s(powers.before.front().first);
+    if (window == windows) return signals.time_s(powers.before.back().first + kWindowLength);
+    return signals.time_s(powers.before[window].first + kWindowLength / 4);
+  };
   for (std::size_t t = 0; t < kTimeCells && windows >= kTimeCells; ++t) {
     const std::size_t from = t * windows / kTimeCells;
     const std::size_t to = (t + 1) * windows / kTimeCells;
-    cells.push_back(cell_of("time", signals.time_s(powers.before[from].first),
-                            signals.time_s(powers.before[to - 1].first + kWindowLength), powers,
+    cells.push_back(cell_of("time", border_s(from), border_s(to), powers,
                             [from, to](std::size_t i, std::size_t) { return i >= from && i < to; }));
   }
   return cells;

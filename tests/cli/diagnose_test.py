@@ -162,6 +162,8 @@ class Contract(Diagnose):
         for balance in result["where"]:
             self.assertLessEqual({"balance", "evaluated", "residual_ratio", "residual_ratio_after", "significant",
                                   "cells", "onset_s"}, set(balance))
+            times = [(cell["from"], cell["to"]) for cell in balance["cells"] if cell["by"] == "time"]
+            self.assertTrue(all(before[1] == after[0] for before, after in zip(times, times[1:])), times)
         for effect in result["which"]:
             self.assertLessEqual({"effect", "confidence", "magnitude", "unit", "standard_error", "evidence", "alias_set",
                                   "separate_by"}, set(effect))
