@@ -6,6 +6,7 @@
 #include "lib/estimation/feed_filter.hpp"
 #include "lib/estimation/ud_covariance.hpp"
 #include "lib/identification/learning_mode.hpp"
+#include "lib/identification/outlier_gate.hpp"
 #include "lib/identification/retraction.hpp"
 
 namespace morepro {
@@ -58,6 +59,7 @@ class FeedParameterFilter {
     v_ = y.has_speed() ? y.speed_m_s : Real(0);
     covariance_.restart(0, y.has_position() ? y.position_variance : Real(1));
     covariance_.restart(1, y.has_speed() ? y.speed_variance : Real(1));
+    gate_.restart();
     if constexpr (Mode::kIsAnchored) v_regressor() = v_;
   }
 
@@ -111,11 +113,14 @@ class FeedParameterFilter {
 
   /// Uses the measurements; returns the normalised innovation squared.
   Real update(const FeedMeasurement<Real>& y) {
-    Real nis{};
-    if (y.has_speed()) nis += update_one<1>(y.speed_m_s - v_, y.speed_variance);
-    if (y.has_position()) nis += update_one<0>(y.position_m - x_, y.position_variance);
-    return nis;
+    Real of_speed{}, of_position{};
+    if (y.has_speed()) of_speed = update_one<1>(y.speed_m_s - v_, y.speed_variance);
+    if (y.has_position()) of_position = update_one<0>(y.position_m - x_, y.position_variance);
+    gate_.step(of_speed > of_position ? of_speed : of_position);
+    return of_speed + of_position;
   }
+  /// As SpindleParameterFilter::has_lost_the_state.
+  [[nodiscard]] bool has_lost_the_state() const { return gate_.has_lost_the_state(); }
 
   [[nodiscard]] Real value(FeedParameter parameter) const {
     const std::size_t j = index_of(parameter);
@@ -160,6 +165,8 @@ class FeedParameterFilter {
   Real update_one(Real innovation, Real variance) {
     const auto update = covariance_.template update<kElement>(variance);
     record_.take(kElement, innovation, update.innovation_variance);
+    const Real nis = innovation * innovation / update.innovation_variance;
+    if (!Mode::kIsAnchored && nis > Real(OutlierGate<Real>::kLargest)) return nis;
     x_ += update.gain[0] * innovation;
     v_ += update.gain[1] * innovation;
     for (std::size_t j = 0; j < kCount; ++j) {
@@ -168,7 +175,7 @@ class FeedParameterFilter {
       else
         value_[j] = moved(value_[j], update.gain[2 + j] * innovation, datasheet_[j]);
     }
-    return innovation * innovation / update.innovation_variance;
+    return nis;
   }
 
   Real viscous_friction_;
@@ -180,6 +187,7 @@ class FeedParameterFilter {
   Values value_{};
   Values learnt_from_{};  ///< values at which the covariance began
   Real x_{}, v_{};
+  OutlierGate<Real> gate_;
   Covariance covariance_{{}};
   [[no_unique_address]] typename Mode::template Record<Real> record_{};
   [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};

@@ -5,6 +5,7 @@
 #include "lib/estimation/spindle_signals.hpp"
 #include "lib/estimation/ud_covariance.hpp"
 #include "lib/identification/learning_mode.hpp"
+#include "lib/identification/outlier_gate.hpp"
 #include "lib/identification/retraction.hpp"
 #include "lib/math/matrix_exponential.hpp"
 #include "lib/plant/contact_law.hpp"
@@ -75,6 +76,7 @@ class SpindleParameterFilter {
     covariance_.restart(0, y.speed_variance);
     covariance_.restart(1, y.current_variance);
     reference_ = {w_, i_};
+    gate_.restart();
     if constexpr (Mode::kIsAnchored) deviation_.at_rest = reference_;
     state_variance_ = {y.speed_variance, y.current_variance};
   }
@@ -149,17 +151,20 @@ class SpindleParameterFilter {
       if (y.has_current()) reference_[1] += Real(kReferenceGain) * (y.current_a - reference_[1]);
     }
     Values step{};
-    Real nis{};
-    if (y.has_speed()) nis += update_one<0>(y.speed_rad_s - w_, y.speed_variance, step);
-    if (y.has_current()) nis += update_one<1>(y.current_a - i_, y.current_variance, step);
+    Real of_speed{}, of_current{};
+    if (y.has_speed()) of_speed = update_one<0>(y.speed_rad_s - w_, y.speed_variance, step);
+    if (y.has_current()) of_current = update_one<1>(y.current_a - i_, y.current_variance, step);
+    gate_.step(of_speed > of_current ? of_speed : of_current);
     for (std::size_t j = 0; j < kCount; ++j) {
       if constexpr (Mode::kIsAnchored)
         deviation_.value[j] += step[j];
       else
         value_[j] = moved(value_[j], step[j], datasheet_[j]);
     }
-    return nis;
+    return of_speed + of_current;
   }
+  /// On line, after update: the state must start again from the measurement.
+  [[nodiscard]] bool has_lost_the_state() const { return gate_.has_lost_the_state(); }
 
   [[nodiscard]] Real value(SpindleParameter parameter) const {
     const std::size_t j = index_of(parameter);
@@ -272,10 +277,12 @@ class SpindleParameterFilter {
     record_.take(kElement, innovation, update.innovation_variance);
     // P+ of the measured element is its gain times the measurement's variance.
     state_variance_[kElement] = update.gain[kElement] * variance;
+    const Real nis = innovation * innovation / update.innovation_variance;
+    if (!Mode::kIsAnchored && nis > Real(OutlierGate<Real>::kLargest)) return nis;
     w_ += update.gain[0] * innovation;
     i_ += update.gain[1] * innovation;
     for (std::size_t j = 0; j < kCount; ++j) step[j] += update.gain[2 + j] * innovation;
-    return innovation * innovation / update.innovation_variance;
+    return nis;
   }
 
   ContactLaw<Real> law_;
@@ -288,8 +295,9 @@ class SpindleParameterFilter {
   Values learnt_from_{};  ///< values at which the covariance began
   Real w_{}, i_{};
   std::array<Real, 2> state_variance_{};  ///< of w and i after the last frame
-  std::array<Real, 2> reference_{};       ///< speed and current, nearly without noise
-  Values known_{};                        ///< relative variance of each parameter, refreshed by its drift
+  OutlierGate<Real> gate_;
+  std::array<Real, 2> reference_{};  ///< speed and current, nearly without noise
+  Values known_{};                   ///< relative variance of each parameter, refreshed by its drift
   Covariance covariance_{{}};
   [[no_unique_address]] typename Mode::template Record<Real> record_{};
   [[no_unique_address]] typename Mode::template Deviation<Values> deviation_{};

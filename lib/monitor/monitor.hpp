@@ -190,11 +190,12 @@ class Monitor {
     auto& e = estimators_;
     if (!e.held.knows(Channel::kArmatureVoltage) && !e.held.knows(Channel::kFeedForce))
       flag(FrameFlag::kNoInput);
+    // Before the others: their gates rest on the datasheet, and what they reject is what a wrong one is known
+    // by.
+    e.parameters.step_spindle(e.held, spindle, cuts_as_commanded());
+    e.parameters.step_feed(e.held, feed, math::sqrt(e.feed.filter().speed_variance()));
     if (e.held.knows(Channel::kArmatureVoltage)) step_spindle(spindle, acceleration_rad_s2);
     if (e.held.knows(Channel::kFeedForce)) step_feed(feed);
-    e.parameters.step_spindle(e.held, spindle, cuts_as_commanded());
-    const auto& filter = e.feed.filter();
-    e.parameters.step_feed(e.held, feed, math::sqrt(filter.speed_variance()));
     e.parameters.refresh();
   }
 
@@ -227,9 +228,7 @@ class Monitor {
 
   void count_restart(RestartWatch& axis, bool restarted) {
     axis.step(restarted);
-    if (!restarted) return;
-    flag(FrameFlag::kEstimatorReset);
-    estimators_.parameters.restart();
+    if (restarted) flag(FrameFlag::kEstimatorReset);
   }
 
   void flag_law(std::uint8_t contact_flags) {

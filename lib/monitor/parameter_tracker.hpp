@@ -38,7 +38,8 @@ class ParameterTracker {
         is_complete && samples_inductance_ && (chip_load_is_known || !held.is_in_contact()) && moves(y);
     if (may_run && is_spindle_running_) {
       spindle_.predict(held.spindle(), held.get(Channel::kChipLoad), y.speed_variance, y.current_variance);
-      spindle_ratio_.step(spindle_.update(y), 2);
+      spindle_ratio_.step(capped(spindle_.update(y)), 2);
+      if (spindle_.has_lost_the_state()) spindle_.restart_state(y);
     } else if (may_run) {
       spindle_.restart_state(y);
     }
@@ -55,26 +56,31 @@ class ParameterTracker {
     if (may_run && is_feed_running_) {
       const float variance = y.has_speed() ? y.speed_variance : speed_deviation_m_s * speed_deviation_m_s;
       feed_.predict(held.feed(), kFeedProcessShare * variance);
-      feed_ratio_.step(feed_.update(y), (y.has_speed() ? 1U : 0U) + (y.has_position() ? 1U : 0U));
+      feed_ratio_.step(capped(feed_.update(y)), (y.has_speed() ? 1U : 0U) + (y.has_position() ? 1U : 0U));
+      if (feed_.has_lost_the_state()) feed_.restart_state(y);
     } else if (may_run) {
       feed_.restart_state(y);
     }
     is_feed_running_ = may_run;
   }
 
-  /// What need not be done in every frame, one piece per frame in turn: a report costs rows of the
-  /// factorisation, a random walk a rank-one update.
+  /// What need not be done in every frame, one piece every kSpacing frames in turn: a report costs rows of
+  /// the factorisation, a random walk a rank-one update.
   void refresh() {
-    turn_ = turn_ + 1 < 2 * kParameterCount ? turn_ + 1 : 0;
-    if (turn_ % 2 == 0)
-      report(static_cast<Parameter>(turn_ / 2));
+    turn_ = turn_ + 1 < kRound ? turn_ + 1 : 0;
+    if (turn_ % kSpacing != 0) return;
+    const std::size_t piece = turn_ / kSpacing;
+    if (piece % 2 == 0)
+      report(static_cast<Parameter>(piece / 2));
     else
-      drift(turn_ / 2);
+      drift(piece / 2);
   }
 
   [[nodiscard]] const std::array<ParameterEstimate, kParameterCount>& estimates() const { return estimates_; }
 
  private:
+  static constexpr std::size_t kSpacing = 4;
+  static constexpr std::size_t kRound = 2 * kParameterCount * kSpacing;  ///< frames until all had their turn
   static constexpr float kDrift = 2.0e-5F;  // relative, per step: 0.2 % per second at 10 kHz
   static constexpr float kFeedProcessShare = 1.0e-3F;
   static constexpr float kContactBand = 0.01F;  // any change of contact is a change
@@ -101,7 +107,7 @@ class ParameterTracker {
   }
 
   void drift(std::size_t turn) {
-    constexpr auto kFrames = static_cast<float>(2 * kParameterCount);
+    constexpr auto kFrames = static_cast<float>(kRound);
     if (turn < kSpindleParameterCount) {
       if (is_spindle_running_) spindle_.drift(static_cast<SpindleParameter>(turn), kFrames);
     } else if (is_feed_running_) {
@@ -151,6 +157,11 @@ class ParameterTracker {
   }
 
   static float larger(float a, float b) { return a > b ? a : b; }
+  /// One spike is no misfit of the model, many in a row are.
+  static float capped(float nis) {
+    constexpr auto kLargest = static_cast<float>(OutlierGate<float>::kLargest);
+    return nis < kLargest ? nis : kLargest;
+  }
   static bool does_not_fit(const RunningRatio& ratio) {
     return ratio.is_settled() && ratio.value() > kMismatch;
   }

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "lib/monitor/monitor.hpp"
+#include "sim_host/simulate/simulation.hpp"
+
+namespace morepro {
+namespace {
+
+std::array<double, kParameterCount> values_of(const MachineParameters& m) {
+  return {m.spindle.torque_constant_nm_a,
+          m.spindle.inertia_kgm2,
+          m.feed.mass_kg,
+          m.feed.contact_force_n,
+          m.spindle.inductance_h,
+          m.spindle.resistance_ohm,
+          m.spindle.back_emf_constant_vs_rad};
+}
+
+/// Each of the seven values `factor` times too large or too small, at random.
+MonitorConfiguration wrong_by(const MonitorConfiguration& truth, double factor, std::uint64_t seed) {
+  MonitorConfiguration wrong = truth;
+  auto& s = wrong.machine.spindle;
+  auto& f = wrong.machine.feed;
+  std::mt19937_64 random(seed);
+  for (double* value : {&s.torque_constant_nm_a, &s.inertia_kgm2, &s.inductance_h, &s.resistance_ohm,
+                        &s.back_emf_constant_vs_rad, &f.mass_kg, &f.contact_force_n})
+    *value *= (random() & 1U) != 0 ? factor : 1.0 / factor;
+  return wrong;
+}
+
+std::vector<SensorFrame> recorded(const MonitorConfiguration& truth, host::ProfileKind profile,
+                                  std::uint64_t seed) {
+  host::SimulationOptions options{.profile = profile, .duration_s = 3.0, .seed = seed};
+  host::Simulation machine(truth, options);
+  std::vector<SensorFrame> frames;
+  for (SensorFrame frame; machine.next(frame);) frames.push_back(frame);
+  return frames;
+}
+
+std::array<ParameterEstimate, kParameterCount> identified(const MonitorConfiguration& datasheet,
+                                                          const std::vector<SensorFrame>& frames) {
+  auto monitor = std::make_unique<BoardMonitor>();
+  EXPECT_TRUE(monitor->configure(datasheet).ok());
+  for (const SensorFrame& frame : frames) (void)monitor->step(frame);
+  return monitor->health().parameters;
+}
+
+double errors_off(const ParameterEstimate& estimate, double truth) {
+  return std::abs(static_cast<double>(estimate.value) - truth) / static_cast<double>(estimate.standard_error);
+}
+
+// With measurements that the gates of the datasheet's model had passed, 6 % of the claims were farther off
+// than three standard errors, masses by up to 20 %, and torque constant and inertia were never found.
+TEST(MonitorIdentification, FindsTheMachineBehindAWrongDatasheet) {
+  int claimed = 0, wrong = 0;
+  for (const auto& truth : {thesis_configuration(), reference_configuration()})
+    for (const double factor : {1.0, 1.3})
+      for (const auto profile : {host::ProfileKind::kRich, host::ProfileKind::kCommissioning})
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+          const auto estimates = identified(wrong_by(truth, factor, seed), recorded(truth, profile, seed));
+          const auto values = values_of(truth.machine);
+          for (std::size_t j = 0; j < kParameterCount; ++j) {
+            if (estimates[j].status != ParameterStatus::kIdentifiable) continue;
+            ++claimed;
+            if (errors_off(estimates[j], values[j]) > 3.0) ++wrong;
+          }
+        }
+  constexpr int kRuns = 2 * 2 * 2 * 5;
+  EXPECT_GE(claimed, kRuns * 6) << "of seven in each";
+  EXPECT_LE(wrong, claimed / 50);
+}
+
+TEST(MonitorIdentification, SpikesThatASensorCouldShowTeachNothing) {
+  const MonitorConfiguration truth = reference_configuration();
+  auto frames = recorded(truth, host::ProfileKind::kRich, 1);
+  const auto clean = identified(truth, frames);
+  for (std::size_t k = 5000; k < frames.size(); k += 997) {
+    frames[k].set(Channel::kArmatureCurrent, 60.0F);
+    frames[k].set(Channel::kFeedSpeed, -0.5F);
+    frames[k + 3].set(Channel::kSpindleSpeed, -300.0F);
+  }
+  const auto spiked = identified(truth, frames);
+  for (std::size_t j = 0; j < kParameterCount; ++j) {
+    EXPECT_EQ(spiked[j].status, ParameterStatus::kIdentifiable) << j;
+    EXPECT_NEAR(spiked[j].value, clean[j].value, 3.0F * clean[j].standard_error) << j;
+  }
+}
+
+}  // namespace
+}  // namespace morepro
