@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,6 +70,11 @@ IdentificationResult result_of(const RecordingSignals& signals, const MachineDes
   });
 }
 
+bool is_any_identified(const IdentificationResult& result) {
+  return std::any_of(result.parameters.begin(), result.parameters.end(),
+                     [](const auto& parameter) { return parameter.is_identifiable; });
+}
+
 void run(const IdentifyArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
                  {{"--json", arguments.json}, {"--apply", arguments.apply}, {"--report", arguments.report}});
@@ -86,6 +92,8 @@ void run(const IdentifyArguments& arguments) {
   note_assumptions(signals, machine);
   IdentificationResult result = result_of(signals, machine, arguments);
   result.file = recording.info().file;
+  if (applied && !is_any_identified(result))
+    throw UserError("nothing was identified, so there is nothing to apply; without --apply the reasons are shown");
   const std::string text = identification_json(result);
   const MachineDescription identified = identified_machine(machine, result);
   if (json) json->write(text);

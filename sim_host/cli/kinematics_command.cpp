@@ -92,7 +92,11 @@ KinematicsJob job_of(const KinematicsArguments& arguments) {
   if (!arguments.chain.empty()) job = read_kinematics_file(arguments.chain);
   if (!arguments.path.empty()) take_points(arguments, job);
   if (!arguments.method.empty()) job.inverse.method = inverse_method_of(arguments.method);
-  if (arguments.gain_option->count() > 0) job.inverse.gain_per_s = arguments.gain_per_s;
+  if (arguments.gain_option->count() > 0) {
+    if (method_of(job) != InverseMethod::kClik)
+      throw UsageError("--gain is of CLIK, the closed form has none; add --method clik");
+    job.inverse.gain_per_s = arguments.gain_per_s;
+  }
   if (arguments.rate_option->count() > 0) job.inverse.rate_hz = arguments.rate_hz;
   return job;
 }

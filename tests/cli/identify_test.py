@@ -66,6 +66,13 @@ class Results(Identify):
         for entry in self.identify(machine="found.toml")[0]["parameters"]:
             self.assertAlmostEqual(entry["datasheet"] / TRUE[entry["name"]], 1.0, delta=0.01)
 
+    def test_a_machine_is_not_written_where_nothing_was_identified(self):
+        rows = "".join(f"{k * 1e-4:.4f},48,577.7\n" for k in range(2000))
+        self.write("run.csv", "time_s,armature_voltage_v,spindle_speed_rad_s\n" + rows)
+        error = self.must_refuse(1, "identify", "run.csv", "--apply", "found.toml", "--json", "found.json")
+        self.assertIn("nothing was identified", error)
+        self.assertEqual(self.files(), ["run.csv"])
+
     def test_a_person_can_read_it(self):
         self.simulate(duration=1)
         text = self.must_do("identify", "run.csv", "--machine", "sheet.toml").stdout

@@ -208,6 +208,10 @@ class Refusals(ProgramTest):
                 self.write("arm.toml", ARM.replace(old, new, 1))
                 self.refused(sentence, "path.csv", "--chain", "arm.toml", "--out", "joints.csv")
 
+    def test_a_gain_for_the_closed_form(self):
+        self.write("path.csv", PATH)
+        self.must_refuse(2, "kinematics", "path.csv", "--gain", "50", "--out", "j.csv")
+
     def test_a_gain_outside_its_stable_range(self):
         self.write("path.csv", PATH)
         for gain in ("2000", "0", "-5", "1e9"):
