@@ -55,25 +55,24 @@ double errors_off(const ParameterEstimate& estimate, double truth) {
   return std::abs(static_cast<double>(estimate.value) - truth) / static_cast<double>(estimate.standard_error);
 }
 
-// With measurements that the gates of the datasheet's model had passed, 6 % of the claims were farther off
-// than three standard errors, masses by up to 20 %, and torque constant and inertia were never found.
+// With measurements that the gates of the datasheet's model had passed, one claim in seven was farther off
+// than three standard errors on one machine, and torque constant and inertia were never found on the other.
 TEST(MonitorIdentification, FindsTheMachineBehindAWrongDatasheet) {
-  int claimed = 0, wrong = 0;
+  int asked = 0, claimed = 0, wrong = 0;
   for (const auto& truth : {thesis_configuration(), reference_configuration()})
-    for (const double factor : {1.0, 1.3})
-      for (const auto profile : {host::ProfileKind::kRich, host::ProfileKind::kCommissioning})
-        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-          const auto estimates = identified(wrong_by(truth, factor, seed), recorded(truth, profile, seed));
-          const auto values = values_of(truth.machine);
-          for (std::size_t j = 0; j < kParameterCount; ++j) {
-            if (estimates[j].status != ParameterStatus::kIdentifiable) continue;
-            ++claimed;
-            if (errors_off(estimates[j], values[j]) > 3.0) ++wrong;
-          }
-        }
-  constexpr int kRuns = 2 * 2 * 2 * 5;
-  EXPECT_GE(claimed, kRuns * 6) << "of seven in each";
-  EXPECT_LE(wrong, claimed / 50);
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const auto frames = recorded(truth, host::ProfileKind::kCommissioning, seed);
+      const auto estimates = identified(wrong_by(truth, 1.3, seed), frames);
+      const auto values = values_of(truth.machine);
+      for (std::size_t j = 0; j < kParameterCount; ++j) {
+        ++asked;
+        if (estimates[j].status != ParameterStatus::kIdentifiable) continue;
+        ++claimed;
+        if (errors_off(estimates[j], values[j]) > 3.0) ++wrong;
+      }
+    }
+  EXPECT_GE(claimed, asked * 9 / 10);
+  EXPECT_LE(wrong, 1) << "of " << claimed;
 }
 
 TEST(MonitorIdentification, SpikesThatASensorCouldShowTeachNothing) {
