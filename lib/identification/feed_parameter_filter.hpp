@@ -156,6 +156,8 @@ class FeedParameterFilter {
     learnt_from_ = value_;
     typename Covariance::Vector start;
     start.fill(start_variance_);
+    if constexpr (Mode::kFindsFriction)
+      start[2 + kFriction] = Real(Mode::kFrictionFraction * Mode::kFrictionFraction);
     start[0] = state_variance[0];
     start[1] = state_variance[1];
     covariance_.restart(start);

@@ -89,8 +89,8 @@ class SpindleParameterFilter {
   /// air).
   void predict(const SpindleInput<Real>& input, Real chip_load_mm, Real speed_variance,
                Real current_variance) {
-    const Real kt = value_[0], inertia = value_[1], inductance = value_[2], resistance = value_[3],
-               kv = value_[4];
+    const Real kt = value_[0], inertia = value_[1], resistance = value_[3], kv = value_[4];
+    const Real inductance = inductance_to_step(resistance);
     const Real per_inertia = Real(1) / inertia, per_inductance = Real(1) / inductance;
     const auto contact = input.contact > Real(0)
                              ? law_.at_thermal_factor(w_, chip_load_mm, input.thermal_factor)
@@ -196,6 +196,9 @@ class SpindleParameterFilter {
   /// Of what the machine is away from the reference, per frame.
   static constexpr double kReferenceGain = 1.0 / 256.0;
 
+  /// In periods; the series is stable above 0.36.
+  static constexpr double kShortestTimeConstant = 0.4;
+
   /// Parameters whose standard deviation fell below a sixth of the datasheet's may drift.
   static constexpr double kKnown = 1.0 / 36.0;
 
@@ -209,13 +212,23 @@ class SpindleParameterFilter {
     known_.fill(start_variance_);
     typename Covariance::Vector start;
     start.fill(start_variance_);
+    if constexpr (Mode::kFindsFriction)
+      start[2 + kFriction] = Real(Mode::kFrictionFraction * Mode::kFrictionFraction);
     start[0] = state_variance_[0];
     start[1] = state_variance_[1];
     covariance_.restart(start);
   }
 
+  /// On line a value on its way may be where the series of `held_response` does not decay: never there.
+  Real inductance_to_step(Real resistance) const {
+    if constexpr (Mode::kIsAnchored) return value_[2];
+    const Real least = Real(kShortestTimeConstant) * resistance * period_s_;
+    return value_[2] > least ? value_[2] : least;
+  }
+
   /// Integral of exp(A s) over one period, by its series to the fourth term: 4e-4 of the change in one period
-  /// where the electrical time constant is two periods, less elsewhere. `Monitor` refuses slower sampling.
+  /// where the electrical time constant is two periods, 1 % where it is one, which is the least that is
+  /// reported.
   Matrix held_response(const Matrix& a) const {
     if constexpr (Mode::kIsAnchored) return math::exponential_step(a, period_s_).integral;
     const Matrix z = a * period_s_;

@@ -19,8 +19,9 @@ namespace morepro {
 class ParameterTracker {
  public:
   explicit ParameterTracker(const MonitorConfiguration& c)
-      : samples_inductance_(c.machine.spindle.inductance_h * c.sampling.rate_hz >=
-                            c.machine.spindle.resistance_ohm),
+      : period_s_(period_of(c)),
+        may_sample_inductance_(c.machine.spindle.inductance_h * c.sampling.rate_hz >=
+                               kFewestSamples * c.machine.spindle.resistance_ohm),
         spindle_(c.machine, period_of(c), start_of(c), kDrift),
         feed_(c.machine, period_of(c), start_of(c), kDrift) {
     for (std::size_t j = 0; j < kParameterCount; ++j) report(static_cast<Parameter>(j));
@@ -35,7 +36,7 @@ class ParameterTracker {
     const bool is_complete = held.knows(Channel::kArmatureVoltage) && y.has_speed() && y.has_current();
     if (is_complete) spindle_seen_ = true;
     const bool may_run =
-        is_complete && samples_inductance_ && (chip_load_is_known || !held.is_in_contact()) && moves(y);
+        is_complete && may_sample_inductance_ && (chip_load_is_known || !held.is_in_contact()) && moves(y);
     if (may_run && is_spindle_running_) {
       spindle_.predict(held.spindle(), held.get(Channel::kChipLoad), y.speed_variance, y.current_variance);
       spindle_ratio_.step(capped(spindle_.update(y)), 2);
@@ -81,6 +82,8 @@ class ParameterTracker {
  private:
   static constexpr std::size_t kSpacing = 4;
   static constexpr std::size_t kRound = 2 * kParameterCount * kSpacing;  ///< frames until all had their turn
+  /// Samples within the datasheet's L/R: of one that is off by a factor of two the machine may have enough.
+  static constexpr double kFewestSamples = 0.4;
   static constexpr float kDrift = 2.0e-5F;  // relative, per step: 0.2 % per second at 10 kHz
   static constexpr float kFeedProcessShare = 1.0e-3F;
   static constexpr float kContactBand = 0.01F;  // any change of contact is a change
@@ -142,7 +145,7 @@ class ParameterTracker {
           larger(correlation, correlation_squared(spindle_, parameter, static_cast<SpindleParameter>(k)));
     write(spindle_, parameter, correlation, estimate);
     estimate.status = !spindle_seen_                 ? ParameterStatus::kNoSignal
-                      : !samples_inductance_         ? ParameterStatus::kSamplingTooSlow
+                      : !samples_inductance()        ? ParameterStatus::kSamplingTooSlow
                       : does_not_fit(spindle_ratio_) ? ParameterStatus::kModelMismatch
                                                      : estimate.status;
   }
@@ -154,6 +157,12 @@ class ParameterTracker {
     estimate.status = !feed_seen_                 ? ParameterStatus::kNoSignal
                       : does_not_fit(feed_ratio_) ? ParameterStatus::kModelMismatch
                                                   : estimate.status;
+  }
+
+  /// One sample within L/R or more, as far as is known by now.
+  [[nodiscard]] bool samples_inductance() const {
+    return may_sample_inductance_ && spindle_.value(SpindleParameter::kInductance) >=
+                                         spindle_.value(SpindleParameter::kResistance) * period_s_;
   }
 
   static float larger(float a, float b) { return a > b ? a : b; }
@@ -188,7 +197,8 @@ class ParameterTracker {
                                                                         : ParameterStatus::kNoExcitation;
   }
 
-  bool samples_inductance_;
+  float period_s_;
+  bool may_sample_inductance_;
   SpindleParameterFilter<float> spindle_;
   FeedParameterFilter<float> feed_;
   RestDetector<float> speed_rest_, current_rest_, force_rest_, contact_rest_;

@@ -126,14 +126,15 @@ class Search {
 
 template <class Traits>
 AxisEstimate identify_axis(const RecordingSignals& signals, const MonitorConfiguration& configuration,
-                           bool finds_friction, const OnPass& on_pass) {
-  if (finds_friction) return Search<Traits, AnchoredWithFriction>(signals, configuration, on_pass).run();
+                           const OnPass& on_pass) {
+  const bool has_friction = value_in(configuration.machine, Traits::kValues.back()) > 0.0;
+  if (has_friction) return Search<Traits, AnchoredWithFriction>(signals, configuration, on_pass).run();
   return Search<Traits, Anchored>(signals, configuration, on_pass).run();
 }
 
-template AxisEstimate identify_axis<SpindleTraits>(const RecordingSignals&, const MonitorConfiguration&, bool,
+template AxisEstimate identify_axis<SpindleTraits>(const RecordingSignals&, const MonitorConfiguration&,
                                                    const OnPass&);
-template AxisEstimate identify_axis<FeedTraits>(const RecordingSignals&, const MonitorConfiguration&, bool,
+template AxisEstimate identify_axis<FeedTraits>(const RecordingSignals&, const MonitorConfiguration&,
                                                 const OnPass&);
 
 }  // namespace morepro::host

@@ -26,15 +26,14 @@ struct AxisEstimate {
 
 /// Finds the values of one axis: a pass of the board's filter from the datasheet, then Gauss-Newton passes
 /// that are linearised at the values found so far, with the process noise under which the innovations are
-/// most likely. With `finds_friction` the axis's viscous friction, > 0 in the datasheet, is one of them, the
-/// last.
+/// most likely. The axis's viscous friction is one of them, the last, where the datasheet has one.
 template <class Traits>
 AxisEstimate identify_axis(const RecordingSignals& signals, const MonitorConfiguration& configuration,
-                           bool finds_friction, const OnPass& on_pass);
+                           const OnPass& on_pass);
 
 extern template AxisEstimate identify_axis<SpindleTraits>(const RecordingSignals&,
-                                                          const MonitorConfiguration&, bool, const OnPass&);
+                                                          const MonitorConfiguration&, const OnPass&);
 extern template AxisEstimate identify_axis<FeedTraits>(const RecordingSignals&, const MonitorConfiguration&,
-                                                       bool, const OnPass&);
+                                                       const OnPass&);
 
 }  // namespace morepro::host

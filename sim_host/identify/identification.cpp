@@ -11,9 +11,6 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kGivenFriction =
-    "taken with the {} of the machine file, which this recording does not tell";
-
 class Identifier {
  public:
   Identifier(const RecordingSignals& signals, const MachineDescription& machine, IdentificationFilter filter,
@@ -59,38 +56,18 @@ class Identifier {
   /// With the friction where the recording tells it.
   template <class Traits>
   void take_axis(const char* axis) {
-    const MachineValue friction = Traits::kValues.back();
-    const OnPass on_pass = [&] { on_stage_(axis); };
-    const bool has_friction = value_in(machine_.configuration.machine, friction) > 0.0;
-    AxisEstimate found = identify_axis<Traits>(signals_, machine_.configuration, has_friction, on_pass);
-    const bool tells_friction = has_friction && is_told(found, found.names.size() - 1);
-    int passes = found.passes;
-    if (has_friction && !tells_friction) {
-      found = identify_axis<Traits>(signals_, machine_.configuration, false, on_pass);
-      passes += found.passes;
-    }
-    is_open_[index_of(friction)] = tells_friction;
-    result_.axes.push_back({axis, found.ratio, found.correlation, found.process_share, passes});
+    const AxisEstimate found =
+        identify_axis<Traits>(signals_, machine_.configuration, [&] { on_stage_(axis); });
+    const std::size_t last = found.names.size() - 1;
+    is_open_[index_of(Traits::kValues.back())] = is_friction(found.names[last]) && is_told(found, last);
+    result_.axes.push_back({axis, found.ratio, found.correlation, found.process_share, found.passes});
     take(found);
-    if (has_friction && !tells_friction) mention(friction);
   }
 
   void take(const AxisEstimate& estimate) {
     for (std::size_t i = 0; i < estimate.names.size(); ++i) {
       const std::size_t j = index_of(estimate.names[i]);
       if (is_open_[j]) result_.parameters[j] = answered(estimate, i, machine_);
-    }
-  }
-
-  /// The values that are balanced with a friction are as right as it is.
-  void mention(MachineValue friction) {
-    const bool is_feed = is_of_feed(friction);
-    for (const MachineValue value : {is_feed ? MachineValue::kMass : MachineValue::kTorqueConstant,
-                                     is_feed ? MachineValue::kContactForce : MachineValue::kInertia}) {
-      ParameterResult& result = result_.parameters[index_of(value)];
-      if (!result.is_identifiable) continue;
-      result.reason += fmt::format("{}{}", result.reason.empty() ? "" : "; ",
-                                   fmt::format(fmt::runtime(kGivenFriction), name_of(friction)));
     }
   }
 

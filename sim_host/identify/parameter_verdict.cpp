@@ -17,10 +17,14 @@ constexpr double kShown = 0.25;        // known too badly to be used, well enoug
 constexpr double kCorrelated = 0.9;
 constexpr double kColoured = 0.5;  // correlation of innovations of a model that does not fit
 
+constexpr double kGovernsIt = 0.5;  // of the variance of a value: that much comes from another one
+
 constexpr const char* kWithOffset =
     "only together with contact_offset_n, which is taken for the datasheet's; to tell them apart, record "
-    "different "
-    "engagements";
+    "different engagements";
+constexpr const char* kWithFriction =
+    "as right as {} of the machine file, which this recording does not tell and which is taken for known to "
+    "{:.0f} %";
 
 bool is_of_voltage(MachineValue value) {
   return value == MachineValue::kInductance || value == MachineValue::kResistance ||
@@ -49,20 +53,40 @@ double deviation_of(const AxisEstimate& e, std::size_t i) {
   return std::sqrt(e.covariance(k, k) * std::max(e.ratio, 1.0) * (1.0 + coloured) / (1.0 - coloured));
 }
 
+double correlation_of(const AxisEstimate& e, std::size_t first, std::size_t second) {
+  const auto i = static_cast<Eigen::Index>(first), j = static_cast<Eigen::Index>(second);
+  return std::abs(e.covariance(i, j)) / std::sqrt(e.covariance(i, i) * e.covariance(j, j));
+}
+
 /// The parameter that number `index` is most correlated with; itself where that is not much.
 std::size_t partner_of(const AxisEstimate& e, std::size_t index) {
-  const auto i = static_cast<Eigen::Index>(index);
   std::size_t partner = index;
   double most = kCorrelated;
   for (std::size_t k = 0; k < e.names.size(); ++k) {
-    const auto j = static_cast<Eigen::Index>(k);
-    const double correlation =
-        std::abs(e.covariance(i, j)) / std::sqrt(e.covariance(i, i) * e.covariance(j, j));
+    const double correlation = correlation_of(e, index, k);
     if (k == index || !(correlation > most)) continue;
     most = correlation;
     partner = k;
   }
   return partner;
+}
+
+/// Standard deviation of a datasheet's value, relative.
+double datasheet_fraction(MachineValue value) {
+  return is_friction(value) ? AnchoredWithFriction::kFrictionFraction : kDatasheetFraction;
+}
+
+/// What a value rests on that the recording does not tell.
+std::string assumption_of(const AxisEstimate& e, std::size_t index) {
+  std::string text = e.names[index] == MachineValue::kContactForce ? kWithOffset : "";
+  const std::size_t last = e.names.size() - 1;
+  const MachineValue friction = e.names[last];
+  if (!is_friction(friction) || index == last || is_told(e, last)) return text;
+  const double correlation = correlation_of(e, index, last);
+  if (correlation * correlation < kGovernsIt) return text;
+  return fmt::format(
+      "{}{}{}", text, text.empty() ? "" : "; ",
+      fmt::format(fmt::runtime(kWithFriction), name_of(friction), 100.0 * datasheet_fraction(friction)));
 }
 
 bool fits(const AxisEstimate& e) { return e.correlation < kColoured; }
@@ -137,7 +161,8 @@ ParameterResult unanswered(MachineValue value, const MachineDescription& machine
 
 bool is_told(const AxisEstimate& e, std::size_t index) {
   const double deviation = deviation_of(e, index);
-  return fits(e) && e.has_settled && deviation <= kSharp && deviation <= kLearnt * kDatasheetFraction;
+  return fits(e) && e.has_settled && deviation <= kSharp &&
+         deviation <= kLearnt * datasheet_fraction(e.names[index]);
 }
 
 ParameterResult answered(const AxisEstimate& e, std::size_t index, const MachineDescription& machine) {
@@ -145,9 +170,7 @@ ParameterResult answered(const AxisEstimate& e, std::size_t index, const Machine
   const double deviation = deviation_of(e, index);
   ParameterResult result = unanswered(value, machine, "");
   result.is_identifiable = is_told(e, index);
-  result.reason = !result.is_identifiable                ? reason_for(e, index)
-                  : value == MachineValue::kContactForce ? kWithOffset
-                                                         : "";
+  result.reason = result.is_identifiable ? assumption_of(e, index) : reason_for(e, index);
   if (result.is_identifiable || (fits(e) && deviation < kShown)) {
     result.refit = e.value[index];
     result.standard_error = e.value[index] * deviation;

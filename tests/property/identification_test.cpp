@@ -5,9 +5,21 @@
 
 #include "lib/monitor/parameter_tracker.hpp"
 #include "tests/support/spindle_simulation.hpp"
+#include "tests/support/wrong_datasheet.hpp"
 
 namespace morepro {
 namespace {
+
+using test::values_of;
+
+/// What the tracker is told: how far off a datasheet may be.
+MonitorConfiguration told(MonitorConfiguration wrong, double factor) {
+  wrong.tuning.parameter_start_fraction = factor > 1.5 ? 0.7 : 0.3;
+  return wrong;
+}
+MonitorConfiguration wrong_by(const MonitorConfiguration& truth, double factor) {
+  return told(test::wrong_by(truth, factor), factor);
+}
 
 struct Experiment {
   MonitorConfiguration truth;
@@ -16,27 +28,6 @@ struct Experiment {
   int frames = 20000;
   std::uint64_t seed = 1;
 };
-
-/// Every spindle parameter alternately `factor` times too large and too small.
-MonitorConfiguration wrong_by(const MonitorConfiguration& truth, double factor) {
-  auto wrong = truth;
-  auto& s = wrong.machine.spindle;
-  s.torque_constant_nm_a *= factor;
-  s.inertia_kgm2 /= factor;
-  s.inductance_h *= factor;
-  s.resistance_ohm /= factor;
-  s.back_emf_constant_vs_rad *= factor;
-  wrong.machine.feed.mass_kg /= factor;
-  wrong.machine.feed.contact_force_n *= factor;
-  wrong.tuning.parameter_start_fraction = factor > 1.5 ? 0.7 : 0.3;
-  return wrong;
-}
-
-std::array<double, kParameterCount> true_values(const MonitorConfiguration& c) {
-  const auto& s = c.machine.spindle;
-  return {s.torque_constant_nm_a, s.inertia_kgm2,   c.machine.feed.mass_kg,    c.machine.feed.contact_force_n,
-          s.inductance_h,         s.resistance_ohm, s.back_emf_constant_vs_rad};
-}
 
 /// Voltage with a 1 ms and a 20 ms random part, feed force with a 30 ms one, contact on and off every 100 ms.
 void excite(test::SpindleSimulation& machine, int k) {
@@ -98,7 +89,7 @@ std::array<ParameterEstimate, kParameterCount> identify(const Experiment& run) {
 }
 
 double relative_error(const Experiment& run, std::size_t j, const ParameterEstimate& estimate) {
-  return std::abs(static_cast<double>(estimate.value) / true_values(run.truth)[j] - 1.0);
+  return std::abs(static_cast<double>(estimate.value) / values_of(run.truth.machine)[j] - 1.0);
 }
 
 struct Case {
@@ -112,9 +103,10 @@ class Excited : public testing::TestWithParam<Case> {};
 
 TEST_P(Excited, FindsAllSevenParametersAndCoversTheErrors) {
   int covered = 0, counted = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const double factor = GetParam().factor;
     const Experiment run{.truth = GetParam().truth,
-                         .datasheet = wrong_by(GetParam().truth, GetParam().factor),
+                         .datasheet = told(test::wrong_at_random(GetParam().truth, factor, seed), factor),
                          .stimulate = excite,
                          .seed = seed};
     const auto estimates = identify(run);
@@ -123,7 +115,9 @@ TEST_P(Excited, FindsAllSevenParametersAndCoversTheErrors) {
       EXPECT_EQ(estimates[j].status, ParameterStatus::kIdentifiable) << j;
       EXPECT_LE(error, GetParam().goal) << "parameter " << j << " seed " << seed;
       covered +=
-          error * true_values(run.truth)[j] < 3.0 * static_cast<double>(estimates[j].standard_error) ? 1 : 0;
+          error * values_of(run.truth.machine)[j] < 3.0 * static_cast<double>(estimates[j].standard_error)
+              ? 1
+              : 0;
       ++counted;
     }
   }
@@ -165,7 +159,7 @@ TEST(Identification, ConstantInputsLeaveParametersUnknownAndClaimNothingFalse) {
     EXPECT_LT(estimates[index_of(parameter)].status, ParameterStatus::kIdentifiable) << index_of(parameter);
   for (std::size_t j = 0; j < kParameterCount; ++j) {
     if (estimates[j].status != ParameterStatus::kIdentifiable) continue;
-    EXPECT_NEAR(static_cast<double>(estimates[j].value), true_values(experiment.truth)[j],
+    EXPECT_NEAR(static_cast<double>(estimates[j].value), values_of(experiment.truth.machine)[j],
                 3.0 * static_cast<double>(estimates[j].standard_error))
         << "parameter " << j;
   }
@@ -191,7 +185,7 @@ TEST(Identification, NoiseDoesNotTellResistanceFromBackEmf) {
   }
   for (Parameter parameter : {Parameter::kTorqueConstant, Parameter::kInertia, Parameter::kInductance}) {
     const auto& estimate = tracker->estimates()[index_of(parameter)];
-    EXPECT_NEAR(static_cast<double>(estimate.value), true_values(c)[index_of(parameter)],
+    EXPECT_NEAR(static_cast<double>(estimate.value), values_of(c.machine)[index_of(parameter)],
                 3.0 * static_cast<double>(estimate.standard_error))
         << index_of(parameter);
   }
@@ -207,7 +201,7 @@ struct Claims {
     const auto estimates = identify(run);
     for (std::size_t j = 0; j < kParameterCount; ++j) {
       if (estimates[j].status != ParameterStatus::kIdentifiable) continue;
-      const double error = relative_error(run, j, estimates[j]) * true_values(run.truth)[j];
+      const double error = relative_error(run, j, estimates[j]) * values_of(run.truth.machine)[j];
       ++all;
       if (error > 3.0 * static_cast<double>(estimates[j].standard_error)) ++wrong;
     }

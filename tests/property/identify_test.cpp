@@ -6,20 +6,15 @@
 #include "sim_host/identify/axis_identification.hpp"
 #include "sim_host/identify/identification.hpp"
 #include "tests/support/spindle_simulation.hpp"
+#include "tests/support/wrong_datasheet.hpp"
 
 namespace morepro::host {
 namespace {
 
+using test::wrong_by;
+
 constexpr int kSeeds = 20;
 constexpr std::size_t kRows = 20000;  // 2 s
-
-/// Every value alternately `factor` times too large and too small.
-MonitorConfiguration wrong_by(const MonitorConfiguration& truth, double factor) {
-  MonitorConfiguration wrong = truth;
-  for (std::size_t j = 0; j < kParameterCount; ++j)
-    value_in(wrong.machine, static_cast<MachineValue>(j)) *= j % 2 == 0 ? factor : 1.0 / factor;
-  return wrong;
-}
 
 class Recorder {
  public:
@@ -97,7 +92,7 @@ struct Tally {
   template <class Traits>
   void add(const RecordingSignals& signals, const MonitorConfiguration& truth,
            const MonitorConfiguration& datasheet) {
-    const AxisEstimate found = identify_axis<Traits>(signals, datasheet, false, [] {});
+    const AxisEstimate found = identify_axis<Traits>(signals, datasheet, [] {});
     Eigen::VectorXd error(found.covariance.rows());
     for (Eigen::Index j = 0; j < error.size(); ++j) {
       const auto k = static_cast<std::size_t>(j);
@@ -177,6 +172,23 @@ TEST(IdentifySteadyCut, TellsTheTorqueConstantAndSaysWhatItDoesNotTell) {
   EXPECT_NE(named(result, "back_emf_constant_vs_rad").reason.find("resistance_ohm"), std::string::npos);
   EXPECT_FALSE(result.is_sufficient);
   EXPECT_FALSE(result.advice.empty());
+}
+
+/// Nothing in a steady cut tells the friction: what is balanced with it is known no better than it is.
+TEST(IdentifySteadyCut, IsNoSurerThanTheFrictionOfTheMachineFile) {
+  const auto truth = thesis_configuration();
+  const RecordingSignals signals = Recorder(truth, 5).steady();
+  for (const double factor : {0.8, 0.9, 1.0, 1.1, 1.25}) {
+    auto wrong = wrong_by(truth, 1.3);
+    wrong.machine.spindle.viscous_friction_nms_rad *= factor;
+    const auto result =
+        identify(signals, described(wrong), IdentificationFilter::kStates, [](const auto&) {});
+    const auto& torque = named(result, "torque_constant_nm_a");
+    EXPECT_TRUE(torque.is_identifiable) << factor << " " << torque.reason;
+    EXPECT_NEAR(torque.refit, 1.5, 3.0 * torque.standard_error) << factor;
+    EXPECT_NE(torque.reason.find("viscous_friction_nms_rad"), std::string::npos);
+    EXPECT_NE(torque.reason.find("10 %"), std::string::npos);
+  }
 }
 
 TEST(IdentifyFriction, AWrongFrictionIsFoundWithTheRest) {

@@ -8,31 +8,10 @@
 
 #include "lib/monitor/monitor.hpp"
 #include "sim_host/simulate/simulation.hpp"
+#include "tests/support/wrong_datasheet.hpp"
 
 namespace morepro {
 namespace {
-
-std::array<double, kParameterCount> values_of(const MachineParameters& m) {
-  return {m.spindle.torque_constant_nm_a,
-          m.spindle.inertia_kgm2,
-          m.feed.mass_kg,
-          m.feed.contact_force_n,
-          m.spindle.inductance_h,
-          m.spindle.resistance_ohm,
-          m.spindle.back_emf_constant_vs_rad};
-}
-
-/// Each of the seven values `factor` times too large or too small, at random.
-MonitorConfiguration wrong_by(const MonitorConfiguration& truth, double factor, std::uint64_t seed) {
-  MonitorConfiguration wrong = truth;
-  auto& s = wrong.machine.spindle;
-  auto& f = wrong.machine.feed;
-  std::mt19937_64 random(seed);
-  for (double* value : {&s.torque_constant_nm_a, &s.inertia_kgm2, &s.inductance_h, &s.resistance_ohm,
-                        &s.back_emf_constant_vs_rad, &f.mass_kg, &f.contact_force_n})
-    *value *= (random() & 1U) != 0 ? factor : 1.0 / factor;
-  return wrong;
-}
 
 std::vector<SensorFrame> recorded(const MonitorConfiguration& truth, host::ProfileKind profile,
                                   std::uint64_t seed) {
@@ -62,8 +41,8 @@ TEST(MonitorIdentification, FindsTheMachineBehindAWrongDatasheet) {
   for (const auto& truth : {thesis_configuration(), reference_configuration()})
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       const auto frames = recorded(truth, host::ProfileKind::kCommissioning, seed);
-      const auto estimates = identified(wrong_by(truth, 1.3, seed), frames);
-      const auto values = values_of(truth.machine);
+      const auto estimates = identified(test::wrong_at_random(truth, 1.3, seed), frames);
+      const auto values = test::values_of(truth.machine);
       for (std::size_t j = 0; j < kParameterCount; ++j) {
         ++asked;
         if (estimates[j].status != ParameterStatus::kIdentifiable) continue;
