@@ -12,13 +12,11 @@ namespace {
 
 using test::values_of;
 
-/// What the tracker is told: how far off a datasheet may be.
-MonitorConfiguration told(MonitorConfiguration wrong, double factor) {
+/// With a tracker that is told how far off its datasheet may be.
+MonitorConfiguration wrong_by(const MonitorConfiguration& truth, double factor) {
+  auto wrong = test::wrong_by(truth, factor);
   wrong.tuning.parameter_start_fraction = factor > 1.5 ? 0.7 : 0.3;
   return wrong;
-}
-MonitorConfiguration wrong_by(const MonitorConfiguration& truth, double factor) {
-  return told(test::wrong_by(truth, factor), factor);
 }
 
 struct Experiment {
@@ -104,9 +102,8 @@ class Excited : public testing::TestWithParam<Case> {};
 TEST_P(Excited, FindsAllSevenParametersAndCoversTheErrors) {
   int covered = 0, counted = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const double factor = GetParam().factor;
     const Experiment run{.truth = GetParam().truth,
-                         .datasheet = told(test::wrong_at_random(GetParam().truth, factor, seed), factor),
+                         .datasheet = test::wrong_at_random(GetParam().truth, GetParam().factor, seed),
                          .stimulate = excite,
                          .seed = seed};
     const auto estimates = identify(run);
