@@ -51,7 +51,7 @@ enum {
 /// morepro_parameter::status.
 enum {
   MOREPRO_PARAMETER_NO_SIGNAL = 0,          ///< a channel that it needs is not there
-  MOREPRO_PARAMETER_NO_EXCITATION = 1,      ///< the frames hold no information on it (so far)
+  MOREPRO_PARAMETER_NO_EXCITATION = 1,      ///< no information in the frames that may teach it (so far)
   MOREPRO_PARAMETER_CORRELATED = 2,         ///< only a combination with another parameter is determined
   MOREPRO_PARAMETER_MODEL_MISMATCH = 3,     ///< the model does not fit, so its parameters mean nothing
   MOREPRO_PARAMETER_SAMPLING_TOO_SLOW = 4,  ///< fewer than one sample within L/R

@@ -21,7 +21,8 @@ enum class ChipLoadState : std::uint8_t { kUndetermined = 0, kValid = 1 };
 /// Why a parameter's value may or may not be used. Values below kIdentifiable are not usable.
 enum class ParameterStatus : std::uint8_t {
   kNoSignal = 0,         ///< a channel that it needs is not recorded
-  kNoExcitation = 1,     ///< the recording holds no information on it (so far)
+  kNoExcitation = 1,     ///< no information in the frames that may teach it: in the air, and in the cut
+                         ///< while the chip load is as commanded
   kCorrelated = 2,       ///< only a combination with another parameter is determined
   kModelMismatch = 3,    ///< the model does not fit the data, so its parameters mean nothing
   kSamplingTooSlow = 4,  ///< fewer than one sample within L/R: the current moves unseen between two samples

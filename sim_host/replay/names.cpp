@@ -49,7 +49,7 @@ std::string_view reason_of(ParameterStatus status) {
     case ParameterStatus::kNoSignal:
       return "a signal that it needs is not recorded";
     case ParameterStatus::kNoExcitation:
-      return "the recording does not excite it";
+      return "not excited in the frames that may teach it";
     case ParameterStatus::kCorrelated:
       return "only a combination with another parameter is determined";
     case ParameterStatus::kModelMismatch:
