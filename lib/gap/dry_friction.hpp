@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "lib/gap/effect_form.hpp"
 #include "lib/gap/effect_laws.hpp"
 #include "lib/gap/effect_scales.hpp"
@@ -29,6 +31,24 @@ FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
   const Real sinh_end = grown * (Real(1) - near);
   const Real cosh_end = math::sqrt(Real(1) + sinh_end * sinh_end);
   return {side * width * math::log(sinh_end + cosh_end), grown * (Real(1) + near) / cosh_end};
+}
+
+/// Friction in two halves around the rest of a step (Strang), with the turn of a state that changes its side
+/// in between: on the first side it acts until the turn, on the other from there on, not half of the step
+/// each. `start`: the state before the `first` half; `free`: before the `last` one, after the rest of the
+/// step. Gives the state after all of it, and the slope of the last half; both slopes become 1 where the
+/// state drives through, because then friction only delays it.
+template <class Real>
+FrictionStep<Real> around_a_turn(Real start, FrictionStep<Real>& first, Real free, FrictionStep<Real> last) {
+  if (!(start * free < Real(0))) return last;
+  const Real lost_first = first.value - start, lost_last = last.value - free;
+  const Real moved = free - first.value;
+  const Real moved_until = moved + Real(2) * lost_first;
+  // Friction would hold it: the halves know better how.
+  if (!(moved * moved_until > Real(0) && moved * (moved + Real(2) * lost_last) > Real(0))) return last;
+  const Real share = std::clamp(-start / moved_until, Real(0), Real(1));  // of the step until the turn
+  first.slope = Real(1);
+  return {last.value + (Real(2) * share - Real(1)) * (lost_first - lost_last), Real(1)};
 }
 
 /// Is it a friction that changes its side so steeply that its state may stick?
