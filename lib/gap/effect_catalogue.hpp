@@ -113,7 +113,8 @@ inline constexpr std::array<EffectInfo, kEffectCount> kEffects{
                SizeRange::kAnySign,
                "U = -a tanh(i / 0.02 i0)",
                "current through zero",
-               "A current sensor; with it, stall or slow running tells the drop from friction.",
+               "Stall or slow running with a current sensor: friction needs motion, the drop does not; the "
+               "voltage at the motor tells brushes from the inverter.",
                {},
                "inverter dead time"},
     EffectInfo{Effect::kResistanceTemperatureDrift, "resistance_temperature_drift",

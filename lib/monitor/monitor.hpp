@@ -296,8 +296,8 @@ class Monitor {
     const auto& e = estimators_;
     const auto& filter = e.spindle.chip_load();
     return {.is_in_contact = e.held.is_in_contact(),
-            .has_signals = e.held.knows(Channel::kArmatureVoltage) && e.held.knows(Channel::kSpindleSpeed) &&
-                           e.held.knows(Channel::kArmatureCurrent),
+            .has_signals = e.held.knows(Channel::kArmatureVoltage) && e.held.knows(Channel::kContact) &&
+                           e.held.knows(Channel::kSpindleSpeed) && e.held.knows(Channel::kArmatureCurrent),
             .is_commanded = e.held.knows(Channel::kChipLoad),
             .reference_mm = e.held.get(Channel::kChipLoad),
             .estimate_mm = filter.chip_load_mm(),

@@ -11,8 +11,8 @@ constexpr std::array kTexts{
     ReasonText{ReasonCode::kNone, "NONE", "Nothing to say.", "", ""},
     ReasonText{ReasonCode::kSensorMissing, "SENSOR_MISSING",
                "A signal that the judgement of the tool needs is not there.",
-               "The recording does not hold armature voltage, spindle speed and armature current, or a "
-               "sensor went silent.",
+               "Armature voltage, contact, spindle speed or armature current is not recorded, or a sensor "
+               "went silent.",
                "Connect or record the missing sensor."},
     ReasonText{ReasonCode::kSensorStuck, "SENSOR_STUCK", "A sensor that used to change repeats one value.",
                "A frozen converter or a broken line.",

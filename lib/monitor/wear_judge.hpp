@@ -10,7 +10,7 @@ namespace morepro {
 /// What one frame says about the chip load.
 struct ChipLoadEvidence {
   bool is_in_contact = false;
-  bool has_signals = false;  ///< voltage, speed and current are all there
+  bool has_signals = false;  ///< voltage, contact, speed and current are all there
   bool is_commanded =
       false;  ///< the commanded chip load is recorded; else the machine's nominal one stands in
   float reference_mm = 0.0F;  ///< commanded or nominal

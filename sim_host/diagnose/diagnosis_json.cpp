@@ -43,6 +43,7 @@ Json which_of(const DiagnosisResult& r) {
                      {"standard_error", json_number(e.standard_error)},
                      {"evidence", json_number(e.evidence)},
                      {"alias_set", std::move(aliases)},
+                     {"other_causes", gap::info_of(e.effect).also_known},
                      {"separate_by", gap::info_of(e.effect).separate_by}});
   }
   return which;

@@ -30,6 +30,8 @@ std::string which_text(const DiagnosisResult& r) {
   for (const EffectResult& e : r.which) {
     text += fmt::format("  {} = {:.4g} +- {:.2g} {}, confidence {:.0f} %\n", gap::name_of(e.effect),
                         e.magnitude, e.standard_error, gap::info_of(e.effect).unit, 100.0 * e.confidence);
+    if (const auto other = gap::info_of(e.effect).also_known; !other.empty())
+      text += fmt::format("    outside the catalogue, {} looks the same\n", other);
     if (e.alias_set.size() < 2) continue;
     text += "    cannot be told from";
     for (std::size_t i = 1; i < e.alias_set.size(); ++i)

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "lib/gap/effect_catalogue.hpp"
 #include "lib/wire/crc32.hpp"
 #include "sim_host/support/input_file.hpp"
 #include "sim_host/support/user_error.hpp"
@@ -25,14 +24,6 @@ Json file_of(const std::string& path) {
   return file;
 }
 
-/// What no model of the catalogue can tell from an effect of it: a reader must know before he changes a part.
-Json other_causes() {
-  Json causes = Json::object();
-  for (const gap::EffectInfo& info : gap::kEffects)
-    if (!info.also_known.empty()) causes[std::string(gap::name_of(info.effect))] = info.also_known;
-  return causes;
-}
-
 }  // namespace
 
 ReportPage::ReportPage(std::string_view command, const PageParts& parts) : parts_(parts) {
@@ -42,7 +33,6 @@ ReportPage::ReportPage(std::string_view command, const PageParts& parts) : parts
            {"result", nullptr},
            {"span", nullptr},
            {"origin", nullptr},
-           {"other_causes", other_causes()},
            {"series", Json::object()},
            {"charts", Json::array()}};
 }

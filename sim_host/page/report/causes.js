@@ -10,7 +10,7 @@ const NONE = {
 const ALONE = "Nothing of the catalogue looks like it in this recording.";
 const SEPARATE = "What separates it from look-alikes";
 
-function causeOf(cause, outside) {
+function causeOf(cause) {
   const aliases = cause.alias_set.filter((name) => name !== cause.effect);
   const sure = `confidence ${percent(cause.confidence, 0)}, evidence ${shown(cause.evidence, 3)}`;
   const size = `${shown(cause.magnitude)} ± ${shown(cause.standard_error, 2)} ${cause.unit}`;
@@ -19,17 +19,17 @@ function causeOf(cause, outside) {
       element("b", { text: spoken(cause.effect) }), element("span", { text: size })),
     element("div", { className: "line" }, barOf(cause.confidence), element("span", { text: sure })),
     element("p", { text: aliases.length > 0 ? `Could also be: ${aliases.map(spoken).join(", ")}.` : ALONE }),
-    outside ? element("p", { text: `Outside the catalogue, ${outside} looks the same.` }) : null,
+    cause.other_causes
+      ? element("p", { text: `Outside the catalogue, ${cause.other_causes} looks the same.` }) : null,
     cause.separate_by ? element("p", { className: "muted", text: `${SEPARATE}: ${cause.separate_by}` }) : null);
   made.dataset.effect = cause.effect;
   return made;
 }
 
 /** Ranked causes with how sure they are. */
-export function addCauses(place, { which, verdict, threshold, unexplained }, outside) {
+export function addCauses(place, { which, verdict, threshold, unexplained }) {
   if (which.length === 0) place.append(element("p", { text: NONE[verdict] ?? "" }));
-  else place.append(element("ol", { className: "causes" }, 
-    ...which.map((cause) => causeOf(cause, outside[cause.effect]))));
+  else place.append(element("ol", { className: "causes" }, ...which.map(causeOf)));
   if (verdict === "unexplained")
     place.append(element("p", {
       text: `${percent(unexplained.share)} of what the datasheet's model leaves has no name.`,

@@ -25,7 +25,7 @@ function buildDiagnosis(place, context) {
   heading(place, "Where: residual power in units of the noise floor, after the refit");
   addHeatMap(place, result.where, context.view);
   heading(place, "Which");
-  addCauses(place, result, context.data.other_causes);
+  addCauses(place, result);
   heading(place, "How far, on data that was not used to find it");
   addShrinkage(place, result);
 }
