@@ -90,11 +90,31 @@ TEST(PlantDerivativeGolden, JacobiansMatchInFloat) {
   constexpr double kFloatTolerance = 3.0e-6;
   for (const GoldenRow& row : golden_csv("plant_deriv.csv")) {
     const MachineParameters machine = golden_machine(row.text("set"));
-    const auto exact =
-        Plant<double>(machine).state_jacobian(golden_state<double>(row), golden_input<double>(row));
-    const auto a = Plant<float>(machine).state_jacobian(golden_state<float>(row), golden_input<float>(row));
-    EXPECT_LE((a.cast<double>() - exact).cwiseAbs().maxCoeff(),
-              kFloatTolerance * exact.cwiseAbs().maxCoeff());
+    const Plant<double> exact(machine);
+    const Plant<float> rounded(machine);
+    const auto x = golden_state<double>(row);
+    const auto u = golden_input<double>(row);
+    const auto xf = golden_state<float>(row);
+    const auto uf = golden_input<float>(row);
+    const auto a = exact.state_jacobian(x, u);
+    EXPECT_LE((rounded.state_jacobian(xf, uf).cast<double>() - a).cwiseAbs().maxCoeff(),
+              kFloatTolerance * a.cwiseAbs().maxCoeff());
+    // A slope by inertia, mass or inductance is a derivative divided by it: as right as that balance's
+    // largest summand.
+    const auto c = exact.parameter_jacobian(x, u);
+    const auto found = rounded.parameter_jacobian(xf, uf);
+    const auto summand = summand_of(row);
+    const std::array<double, 3> divisor{machine.spindle.inertia_kgm2, machine.feed.mass_kg,
+                                        machine.spindle.inductance_h};
+    for (int i = 0; i < 3; ++i) {
+      const auto balance = static_cast<std::size_t>(i);
+      for (int j = 0; j < static_cast<int>(kParameterCount); ++j) {
+        const bool is_divisor = j == std::array{1, 2, 4}[balance];
+        const double scale = is_divisor ? summand[balance] / divisor[balance] : 0.0;
+        EXPECT_NEAR(double(found(i, j)), c(i, j), kFloatTolerance * (std::abs(c(i, j)) + scale))
+            << i << " " << j;
+      }
+    }
   }
 }
 
