@@ -124,7 +124,7 @@ void add_identify(CLI::App& program) {
   command
       ->add_option(
           "--filter", arguments->filter,
-          "'states': from speeds and current; 'derivatives': from measured accelerations, as in the thesis")
+          "'states': from speeds and current; 'derivatives': from their derivatives, as in the thesis")
       ->check(one_of({"states", "derivatives"}))
       ->capture_default_str();
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
