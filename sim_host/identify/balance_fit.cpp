@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim_host/identify/axis_traits.hpp"
@@ -12,7 +13,8 @@ namespace {
 
 constexpr int kMostSteps = 20;
 constexpr std::size_t kPieces = 50;
-constexpr double kTold = 0.35;      // standard deviation of a combination that is half a datasheet's
+constexpr double kTold =
+    kDatasheetFraction;             // standard deviation of a combination that the datasheet tells better
 constexpr double kSmallStep = 0.1;  // of a standard error
 constexpr double kLargestStep = 0.7;
 
@@ -56,7 +58,8 @@ class Fit {
     Matrix neighbours = Matrix::Zero();
     DerivativeSource source(signals_, machine_, balance_);
     Vector piece = Vector::Zero(), last_pull = Vector::Zero();
-    double square = 0.0, product = 0.0, last = 0.0;
+    double square = 0.0, product = 0.0;
+    std::array<double, 2> last{};
     const std::size_t length = signals_.rows / kPieces + 1;
     for (std::size_t row = 0; source.next(); ++row) {
       if (row % length == length - 1) close(piece);
@@ -73,8 +76,8 @@ class Fit {
       neighbours += pull * (pull + last_pull).transpose() + last_pull * pull.transpose();
       last_pull = pull;
       square += residual * residual;
-      product += residual * last;
-      last = residual;
+      product += residual * last[1];  // differences have noise in common with their neighbours
+      last = {residual, last[0]};
     }
     close(piece);
     widen(neighbours);
@@ -112,12 +115,13 @@ class Fit {
       else
         covariance_ += kDatasheetFraction * kDatasheetFraction * v.col(k) * v.col(k).transpose();
     }
-    covariance_ += inverse * spread_ * inverse.transpose();
+    const Matrix told = inverse * spread_ * inverse.transpose();
+    covariance_ += told;
     const Vector step = inverse * sum_;
     bool is_small = true;
     for (int j = 0; j < kAll; ++j) {
       value_[static_cast<std::size_t>(j)] *= std::exp(std::clamp(step(j), -kLargestStep, kLargestStep));
-      is_small = is_small && std::abs(step(j)) <= kSmallStep * std::sqrt(covariance_(j, j));
+      is_small = is_small && std::abs(step(j)) <= kSmallStep * std::sqrt(told(j, j));
     }
     return is_small;
   }

