@@ -99,11 +99,14 @@ class Results(Identify):
         self.keep_columns(*SPINDLE)
         result, parameters = self.identify("--filter", "derivatives", recording="part.csv")
         self.assertEqual(result["derivatives"], {"spindle_speed": "difference", "armature_current": "difference"})
-        for name in ("torque_constant_nm_a", "inertia_kgm2", "inductance_h", "resistance_ohm",
-                     "back_emf_constant_vs_rad"):
+        for name in ("inductance_h", "resistance_ohm", "back_emf_constant_vs_rad"):
             self.assertTrue(parameters[name]["identifiable"], parameters[name])
-            self.assertLess(abs(parameters[name]["refit"] - TRUE[name]), 4 * parameters[name]["standard_error"],
-                            parameters[name])
+        # Differences of this speed are noisier than its acceleration by 70: known to a few percent, and tied.
+        self.assertIn("inertia_kgm2", parameters["torque_constant_nm_a"]["reason"])
+        for name in SEVEN:
+            if parameters[name]["refit"] is not None:
+                self.assertLess(abs(parameters[name]["refit"] - TRUE[name]), 4 * parameters[name]["standard_error"],
+                                parameters[name])
         self.assertEqual(parameters["mass_kg"]["reason"], "not recorded: feed_force_n, feed_speed_m_s")
         text = self.must_do("identify", "part.csv", "--machine", "sheet.toml", "--filter", "derivatives").stdout
         self.assertIn("derivative  armature_current: difference over 0.1 ms", text)
