@@ -93,7 +93,8 @@ void run(const IdentifyArguments& arguments) {
   IdentificationResult result = result_of(signals, machine, arguments);
   result.file = recording.info().file;
   if (applied && !is_any_identified(result))
-    throw UserError("nothing was identified, so there is nothing to apply; without --apply the reasons are shown");
+    throw UserError(
+        "nothing was identified, so there is nothing to apply; without --apply the reasons are shown");
   const std::string text = identification_json(result);
   const MachineDescription identified = identified_machine(machine, result);
   if (json) json->write(text);
