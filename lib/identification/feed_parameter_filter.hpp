@@ -7,6 +7,7 @@
 #include "lib/estimation/ud_covariance.hpp"
 #include "lib/identification/learning_mode.hpp"
 #include "lib/identification/outlier_gate.hpp"
+#include "lib/identification/period_response.hpp"
 #include "lib/identification/retraction.hpp"
 
 namespace morepro {
@@ -66,14 +67,13 @@ class FeedParameterFilter {
   /// As SpindleParameterFilter::hold.
   void hold(bool is_still) requires Mode::kIsAnchored { deviation_.is_still = is_still; }
 
-  /// Over the period that ended with the present frame; second order in the period, exact without friction.
+  /// Over the period that ended with the present frame; the position to second order, exact without friction.
   void predict(const FeedInput<Real>& input, Real speed_variance) {
     const Real mass = value_[0], contact_force = value_[1];
     const Real h = period_s_, per_mass = Real(1) / mass;
     const Real pushed = input.contact * input.engagement * contact_force;
     const Real force = input.force_n - viscous_friction_ * v_ - pushed - input.contact * contact_offset_;
-    const Real decay = viscous_friction_ * per_mass * h;
-    const Real per_acceleration = h * (Real(1) - Real(0.5) * decay);
+    const auto [kept, per_acceleration] = FeedResponse<Real>(viscous_friction_ * per_mass, h);
     const Real acceleration = force * per_mass;
     const Real half = Real(0.5) * h;
     const Real from_contact = -pushed * per_mass;
@@ -88,9 +88,8 @@ class FeedParameterFilter {
       g[0][j] = slope[j] * half * h;
       g[1][j] = slope[j] * per_acceleration;
     }
-    covariance_.predict(
-        {{{Real(1), h - half * decay}, {Real(0), Real(1) - decay + Real(0.5) * decay * decay}}}, g,
-        {speed_variance * h * h, speed_variance});
+    covariance_.predict({{{Real(1), per_acceleration}, {Real(0), kept}}}, g,
+                        {speed_variance * h * h, speed_variance});
     x_ += h * (v_ + half * acceleration);
     v_ += acceleration * per_acceleration;
     if constexpr (Mode::kIsAnchored) {

@@ -9,8 +9,8 @@ namespace morepro {
 /// so that a bad start cannot make it zero, negative or infinite.
 template <class Real>
 Real moved(Real value, Real log_step, Real datasheet) {
-  // Nearly every step is small: to third order exp is exact to a rounding.
-  const bool is_small = math::abs(log_step) < Real(0.01);
+  // Nearly every step is small: there exp to third order is right to 3e-11.
+  const bool is_small = math::abs(log_step) < Real(0.005);
   const Real factor =
       is_small ? Real(1) + log_step * (Real(1) + log_step * (Real(0.5) + log_step * Real(1.0 / 6.0)))
                : math::exp(std::clamp(log_step, Real(-2), Real(2)));

@@ -6,6 +6,7 @@
 #include "lib/estimation/ud_covariance.hpp"
 #include "lib/identification/learning_mode.hpp"
 #include "lib/identification/outlier_gate.hpp"
+#include "lib/identification/period_response.hpp"
 #include "lib/identification/retraction.hpp"
 #include "lib/math/matrix_exponential.hpp"
 #include "lib/plant/contact_law.hpp"
@@ -89,34 +90,19 @@ class SpindleParameterFilter {
   /// air).
   void predict(const SpindleInput<Real>& input, Real chip_load_mm, Real speed_variance,
                Real current_variance) {
-    const Real kt = value_[0], inertia = value_[1], resistance = value_[3], kv = value_[4];
-    const Real inductance = inductance_to_step(resistance);
-    const Real per_inertia = Real(1) / inertia, per_inductance = Real(1) / inductance;
+    const Values values = values_to_step();
     const auto contact = input.contact > Real(0)
                              ? law_.at_thermal_factor(w_, chip_load_mm, input.thermal_factor)
                              : ContactTorque<Real>{};
-    const Real dw = (kt * i_ - viscous_friction_ * w_ - contact.torque_nm) * per_inertia;
-    const Real di = (input.armature_voltage_v - resistance * i_ - kv * w_) * per_inductance;
-    const Matrix a{-(viscous_friction_ + contact.per_speed) * per_inertia, kt * per_inertia,
-                   -kv * per_inductance, -resistance * per_inductance};
-    const Matrix phi = held_response(a);
+    const auto [dw, di, a] =
+        SpindleRates<Real>(values, viscous_friction_, contact, w_, i_, input.armature_voltage_v);
+    const Matrix phi = response(a);
     const Matrix f = (a * phi).plus_identity();
     Real w_change = phi.a00 * dw + phi.a01 * di, i_change = phi.a10 * dw + phi.a11 * di;
     if constexpr (!Mode::kIsAnchored) follow_estimate();
     Regressors r = regressors(dw, di, a, phi);
     if constexpr (Mode::kIsAnchored) hold_at_rest(r);
-    Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
-    Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
-                        -kv * r.w * per_inductance};
-    if constexpr (Mode::kFindsFriction) {
-      from_speed[kFriction] = -viscous_friction_ * r.w * per_inertia;
-      from_current[kFriction] = Real(0);
-    }
-    std::array<Values, 2> g;
-    for (std::size_t j = 0; j < kCount; ++j) {
-      g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
-      g[1][j] = phi.a10 * from_speed[j] + phi.a11 * from_current[j];
-    }
+    const std::array<Values, 2> g = spindle_slopes(values, viscous_friction_, r, phi);
     if constexpr (Mode::kIsAnchored) {
       for (std::size_t j = 0; j < kCount; ++j) {
         w_change += g[0][j] * deviation_.value[j];
@@ -220,28 +206,21 @@ class SpindleParameterFilter {
   }
 
   /// On line a value on its way may be where the series of `held_response` does not decay: never there.
-  Real inductance_to_step(Real resistance) const {
-    if constexpr (Mode::kIsAnchored) return value_[2];
-    const Real least = Real(kShortestTimeConstant) * resistance * period_s_;
-    return value_[2] > least ? value_[2] : least;
+  Values values_to_step() const {
+    Values values = value_;
+    if constexpr (!Mode::kIsAnchored) {
+      const Real least = Real(kShortestTimeConstant) * values[3] * period_s_;
+      values[2] = values[2] > least ? values[2] : least;
+    }
+    return values;
   }
 
-  /// Integral of exp(A s) over one period, by its series to the fourth term: 4e-4 of the change in one period
-  /// where the electrical time constant is two periods, 1 % where it is one, which is the least that is
-  /// reported.
-  Matrix held_response(const Matrix& a) const {
+  Matrix response(const Matrix& a) const {
     if constexpr (Mode::kIsAnchored) return math::exponential_step(a, period_s_).integral;
-    const Matrix z = a * period_s_;
-    Matrix series = (z * Real(0.25)).plus_identity();
-    series = (z * series * Real(1.0 / 3.0)).plus_identity();
-    series = (z * series * Real(0.5)).plus_identity();
-    return series * period_s_;
+    return held_response(a, period_s_);
   }
 
-  /// What the slopes by the parameters are made of.
-  struct Regressors {
-    Real w, i, dw, di;
-  };
+  using Regressors = SpindleRegressors<Real>;
   /// Of a reference that takes the model's changes and follows the machine a hundred times slower than the
   /// estimate does: noise in the slopes would turn the line on which resistance and back-EMF constant lie,
   /// and pump inertia and inductance, and all would seem to be known. Means over the period, which may be as

@@ -35,6 +35,7 @@ constexpr Sensors reference_sensors() {
   sensors[Channel::kFeedPosition] = {1.0e-6, 0.0};
   sensors[Channel::kArmatureCurrent] = {0.05, 0.0};
   sensors[Channel::kSpindleAcceleration] = {200.0, 0.0};
+  sensors[Channel::kFeedAcceleration] = {0.3, 0.0};
   sensors[Channel::kToolTemperature] = {0.5, 0.0};
   sensors[Channel::kWindingTemperature] = {0.5, 0.0};
   return sensors;

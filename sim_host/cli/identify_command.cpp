@@ -93,7 +93,8 @@ void run(const IdentifyArguments& arguments) {
   IdentificationResult result = result_of(signals, machine, arguments);
   result.file = recording.info().file;
   if (applied && !is_any_identified(result))
-    throw UserError("nothing was identified, so there is nothing to apply; without --apply the reasons are shown");
+    throw UserError(
+        "nothing was identified, so there is nothing to apply; without --apply the reasons are shown");
   const std::string text = identification_json(result);
   const MachineDescription identified = identified_machine(machine, result);
   if (json) json->write(text);
@@ -124,7 +125,7 @@ void add_identify(CLI::App& program) {
   command
       ->add_option(
           "--filter", arguments->filter,
-          "'states': from speeds and current; 'derivatives': from measured accelerations, as in the thesis")
+          "'states': from speeds and current; 'derivatives': from their derivatives, as in the thesis")
       ->check(one_of({"states", "derivatives"}))
       ->capture_default_str();
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "sim_host/identify/axis_identification.hpp"
-#include "sim_host/identify/derivative_pass.hpp"
+#include "sim_host/identify/balance_fit.hpp"
+#include "sim_host/identify/derivative_source.hpp"
 #include "sim_host/identify/parameter_verdict.hpp"
 
 namespace morepro::host {
@@ -27,10 +28,7 @@ class Identifier {
 
   IdentificationResult run() {
     if (result_.filter == IdentificationFilter::kDerivatives) {
-      if (is_open(MachineValue::kTorqueConstant) || is_open(MachineValue::kMass)) {
-        on_stage_("accelerations");
-        for (const AxisEstimate& estimate : derivative_pass(signals_, machine_.configuration)) take(estimate);
-      }
+      take_balances();
     } else {
       if (is_open(MachineValue::kTorqueConstant)) take_axis<SpindleTraits>("spindle");
       if (is_open(MachineValue::kMass)) take_axis<FeedTraits>("feed");
@@ -62,6 +60,36 @@ class Identifier {
     is_open_[index_of(Traits::kValues.back())] = is_friction(found.names[last]) && is_told(found, last);
     result_.axes.push_back({axis, found.ratio, found.correlation, found.process_share, found.passes});
     take(found);
+  }
+
+  /// The means over a period of one balance of the spindle need the other's parameters, so both come twice.
+  void take_balances() {
+    MonitorConfiguration found = machine_.configuration;
+    const bool has_torque = is_open(MachineValue::kTorqueConstant);
+    const bool has_voltage = is_open(MachineValue::kInductance);
+    for (int round = 0; round < 2; ++round) {
+      if (has_torque) take_balance<TorqueBalance>("spindle_speed", DerivativeBalance::kTorque, found);
+      if (has_voltage) take_balance<VoltageBalance>("armature_current", DerivativeBalance::kVoltage, found);
+    }
+    if (is_open(MachineValue::kMass))
+      take_balance<ForceBalance>("feed_speed", DerivativeBalance::kForce, found);
+  }
+
+  /// `found`: where its parameters start, and what they became.
+  template <class Balance>
+  void take_balance(const char* quantity, DerivativeBalance balance, MonitorConfiguration& found) {
+    const OnPass on_pass = [&] { on_stage_(quantity); };
+    const AxisEstimate estimate = fit_balance<Balance>(balance, signals_, found, on_pass);
+    for (std::size_t i = 0; i < estimate.names.size(); ++i) {
+      const MachineValue name = estimate.names[i];
+      const bool has_value = is_told(estimate, i) && value_in(machine_.configuration.machine, name) > 0.0;
+      if (has_value) value_in(found.machine, name) = estimate.value[i];
+      if (is_friction(name)) is_open_[index_of(name)] = has_value;
+    }
+    take(estimate);
+    const bool is_new = std::none_of(result_.derivatives.begin(), result_.derivatives.end(),
+                                     [&](const auto& origin) { return origin.quantity == quantity; });
+    if (is_new) result_.derivatives.push_back({quantity, is_measured(balance, signals_)});
   }
 
   void take(const AxisEstimate& estimate) {

@@ -14,7 +14,7 @@ namespace morepro::host {
 /// Which equations the parameters are found with.
 enum class IdentificationFilter : std::uint8_t {
   kStates,       ///< measured speeds and current, the default
-  kDerivatives,  ///< measured accelerations, the thesis's own form
+  kDerivatives,  ///< derivatives of speeds and current, the thesis's own form
 };
 
 /// How well the model of one axis fits with the parameters that were found.
@@ -24,6 +24,12 @@ struct AxisFitFigures {
   double correlation = 0.0;       ///< of neighbouring innovations; 0: nothing is left to explain
   std::array<double, 2> process_share{};  ///< process noise per sample, of the variance of each sensor
   int passes = 0;
+};
+
+/// Where the derivative of a balance comes from.
+struct DerivativeOrigin {
+  std::string quantity;
+  bool is_measured = false;  ///< else: a difference over one sampling period
 };
 
 struct IdentificationResult {
@@ -37,6 +43,7 @@ struct IdentificationResult {
   /// In the order of MachineValue, the frictions only where they were found; NaN: no value.
   std::vector<ParameterResult> parameters;
   std::vector<AxisFitFigures> axes;
+  std::vector<DerivativeOrigin> derivatives;  ///< empty with kStates
   bool is_sufficient = false;  ///< everything was identified that the recorded signals could tell
   std::string advice;          ///< what to record so that more is; empty where nothing is missing
 };

@@ -16,16 +16,24 @@ Json axes_of(const IdentificationResult& r) {
   return axes;
 }
 
+Json derivatives_of(const IdentificationResult& r) {
+  Json derivatives = Json::object();
+  for (const DerivativeOrigin& d : r.derivatives)
+    derivatives[d.quantity] = d.is_measured ? "measured" : "difference";
+  return derivatives;
+}
+
 }  // namespace
 
 std::string identification_json(const IdentificationResult& r) {
-  const Json json{{"schema", "morepro.identification/1"},
-                  {"recording", json_recording(r)},
-                  {"machine", r.machine},
-                  {"filter", r.filter == IdentificationFilter::kStates ? "states" : "derivatives"},
-                  {"parameters", json_parameters(r.parameters)},
-                  {"fit", axes_of(r)},
-                  {"excitation", {{"sufficient", r.is_sufficient}, {"advice", r.advice}}}};
+  Json json{{"schema", "morepro.identification/1"},
+            {"recording", json_recording(r)},
+            {"machine", r.machine},
+            {"filter", r.filter == IdentificationFilter::kStates ? "states" : "derivatives"},
+            {"parameters", json_parameters(r.parameters)},
+            {"fit", axes_of(r)},
+            {"excitation", {{"sufficient", r.is_sufficient}, {"advice", r.advice}}}};
+  if (!r.derivatives.empty()) json["derivatives"] = derivatives_of(r);
   return json_text(json);
 }
 

@@ -29,6 +29,10 @@ std::string identification_text(const IdentificationResult& r) {
       fmt::format("recording   {} rows at {:g} Hz, {:.3f} s, {} missing\nmachine     {}\nparameters\n",
                   r.rows, r.rate_hz, r.duration_s, r.missing_rows, r.machine);
   for (const ParameterResult& p : r.parameters) text += parameter_text(p);
+  for (const DerivativeOrigin& d : r.derivatives)
+    text +=
+        fmt::format("derivative  {}: {}\n", d.quantity,
+                    d.is_measured ? "measured" : fmt::format("difference over {:g} ms", 1.0e3 / r.rate_hz));
   if (!r.axes.empty()) text += "fit\n";
   for (const AxisFitFigures& a : r.axes)
     text += fmt::format("  {:8}  innovations {:.3f} of the sensors' noise, correlation {:.2f}, {} passes\n",

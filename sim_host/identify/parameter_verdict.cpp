@@ -32,18 +32,27 @@ bool is_of_voltage(MachineValue value) {
 }
 
 std::vector<Channel> needed(MachineValue value, IdentificationFilter filter) {
-  const bool by_derivatives = filter == IdentificationFilter::kDerivatives;
   std::vector<Channel> channels{Channel::kArmatureVoltage, Channel::kSpindleSpeed, Channel::kArmatureCurrent};
-  if (by_derivatives)
-    channels = {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kSpindleAcceleration};
+  if (filter == IdentificationFilter::kDerivatives && !is_of_voltage(value)) channels.erase(channels.begin());
   if (is_of_feed(value)) channels = {Channel::kFeedForce};
-  if (is_of_feed(value) && by_derivatives) channels.push_back(Channel::kFeedAcceleration);
   if (value == MachineValue::kContactForce) channels.push_back(Channel::kContact);
   return channels;
 }
 
-bool has_feed_motion(const RecordingSignals& signals) {
-  return signals.has(Channel::kFeedSpeed) || signals.has(Channel::kFeedPosition);
+/// What the motion of the feed axis may be read from; empty: it is recorded.
+std::string absent_feed_motion(IdentificationFilter filter, const RecordingSignals& signals,
+                               const MachineParameters& machine) {
+  if (signals.has(Channel::kFeedSpeed)) return "";
+  if (filter == IdentificationFilter::kStates)
+    return signals.has(Channel::kFeedPosition) ? "" : "feed_speed_m_s or feed_position_m";
+  if (machine.feed.viscous_friction_ns_m > 0.0) return "feed_speed_m_s";
+  return signals.has(Channel::kFeedAcceleration) ? "" : "feed_acceleration_m_s2 or feed_speed_m_s";
+}
+
+/// A mean of the current over a period is right as long as that is not longer than L/R, which a datasheet may
+/// have wrong by a factor of two.
+bool is_too_slow(const RecordingSignals& signals, const MachineParameters::Spindle& s) {
+  return s.resistance_ohm > 2.0 * s.inductance_h * signals.rate_hz;
 }
 
 double deviation_of(const AxisEstimate& e, std::size_t i) {
@@ -137,15 +146,18 @@ std::string obstacle_to(MachineValue value, IdentificationFilter filter, const R
     return fmt::format("the machine file describes no {}", !is_of_feed(value) ? "[spindle]" : "[feed]");
   if (!(value_in(machine.configuration.machine, value) > 0.0))
     return fmt::format("{} is 0 in the machine file; give it a value to start from", name_of(value));
-  if (filter == IdentificationFilter::kDerivatives && is_of_voltage(value))
-    return "a recording holds no derivative of the current; use --filter states";
   std::string absent;
   for (const Channel channel : needed(value, filter))
     if (!signals.has(channel))
       absent += fmt::format("{}{}", absent.empty() ? "" : ", ", info_of(channel).column);
-  if (is_of_feed(value) && !has_feed_motion(signals))
-    absent += fmt::format("{}feed_speed_m_s or feed_position_m", absent.empty() ? "" : ", ");
-  return absent.empty() ? "" : fmt::format("not recorded: {}", absent);
+  const MachineParameters& m = machine.configuration.machine;
+  const std::string motion = is_of_feed(value) ? absent_feed_motion(filter, signals, m) : "";
+  if (!motion.empty()) absent += fmt::format("{}{}", absent.empty() ? "" : ", ", motion);
+  if (!absent.empty()) return fmt::format("not recorded: {}", absent);
+  if (filter == IdentificationFilter::kDerivatives && is_of_voltage(value) && is_too_slow(signals, m.spindle))
+    return "a sampling period is longer than 2 L/R, so differences are no derivatives of the current; use "
+           "--filter states";
+  return "";
 }
 
 ParameterResult unanswered(MachineValue value, const MachineDescription& machine, std::string reason) {

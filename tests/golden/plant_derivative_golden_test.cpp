@@ -70,15 +70,18 @@ TEST(PlantDerivativeGolden, StateJacobianMatchesInDouble) {
   }
 }
 
+double golden_slope(const GoldenRow& row, int balance, int parameter) {
+  const char* name = kParameterColumns[static_cast<std::size_t>(parameter)];
+  return row[std::string("C").append(std::to_string(balance)).append("_").append(name)];
+}
+
 TEST(PlantDerivativeGolden, ParameterJacobianMatchesInDouble) {
   for (const GoldenRow& row : golden_csv("plant_deriv.csv")) {
     const Plant<double> plant(golden_machine(row.text("set")));
     const auto c = plant.parameter_jacobian(golden_state<double>(row), golden_input<double>(row));
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < static_cast<int>(kParameterCount); ++j) {
-        const char* name = kParameterColumns[static_cast<std::size_t>(j)];
-        const std::string column = std::string("C").append(std::to_string(i)).append("_").append(name);
-        EXPECT_LE(relative_error(c(i, j), row[column]), kDoubleTolerance) << column;
+        EXPECT_LE(relative_error(c(i, j), golden_slope(row, i, j)), kDoubleTolerance) << i << " " << j;
       }
     }
   }
@@ -90,11 +93,31 @@ TEST(PlantDerivativeGolden, JacobiansMatchInFloat) {
   constexpr double kFloatTolerance = 3.0e-6;
   for (const GoldenRow& row : golden_csv("plant_deriv.csv")) {
     const MachineParameters machine = golden_machine(row.text("set"));
-    const auto exact =
-        Plant<double>(machine).state_jacobian(golden_state<double>(row), golden_input<double>(row));
-    const auto a = Plant<float>(machine).state_jacobian(golden_state<float>(row), golden_input<float>(row));
-    EXPECT_LE((a.cast<double>() - exact).cwiseAbs().maxCoeff(),
-              kFloatTolerance * exact.cwiseAbs().maxCoeff());
+    const Plant<double> exact(machine);
+    const Plant<float> rounded(machine);
+    const auto x = golden_state<double>(row);
+    const auto u = golden_input<double>(row);
+    const auto xf = golden_state<float>(row);
+    const auto uf = golden_input<float>(row);
+    const auto a = exact.state_jacobian(x, u);
+    EXPECT_LE((rounded.state_jacobian(xf, uf).cast<double>() - a).cwiseAbs().maxCoeff(),
+              kFloatTolerance * a.cwiseAbs().maxCoeff());
+    // A slope by inertia, mass or inductance is a derivative divided by it: as right as that balance's
+    // largest summand.
+    const auto found = rounded.parameter_jacobian(xf, uf);
+    const auto summand = summand_of(row);
+    const std::array<double, 3> divisor{machine.spindle.inertia_kgm2, machine.feed.mass_kg,
+                                        machine.spindle.inductance_h};
+    for (int i = 0; i < 3; ++i) {
+      const auto balance = static_cast<std::size_t>(i);
+      for (int j = 0; j < static_cast<int>(kParameterCount); ++j) {
+        const bool is_divisor = j == std::array{1, 2, 4}[balance];
+        const double scale = is_divisor ? summand[balance] / divisor[balance] : 0.0;
+        const double expected = golden_slope(row, i, j);
+        EXPECT_NEAR(double(found(i, j)), expected, kFloatTolerance * (std::abs(expected) + scale))
+            << i << " " << j;
+      }
+    }
   }
 }
 

@@ -1,0 +1,154 @@
+#include "sim_host/identify/balance_fit.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim_host/identify/axis_traits.hpp"
+#include "sim_host/identify/derivative_source.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr int kMostSteps = 20;
+constexpr std::size_t kPieces = 50;
+constexpr double kTold =
+    kDatasheetFraction;             // standard deviation of a combination that the datasheet tells better
+constexpr double kSmallStep = 0.1;  // of a standard error
+constexpr double kLargestStep = 0.7;
+
+template <class Balance>
+class Fit {
+ public:
+  Fit(DerivativeBalance balance, const RecordingSignals& signals, const MonitorConfiguration& c,
+      const OnPass& on_pass)
+      : balance_(balance), signals_(signals), machine_(c.machine), on_pass_(on_pass) {
+    for (std::size_t j = 0; j < kAll; ++j) value_[j] = value_in(machine_, Balance::kValues[j]);
+  }
+
+  AxisEstimate run() {
+    bool has_settled = false;
+    for (int step = 0; step < kMostSteps && !has_settled; ++step) {
+      on_pass_();
+      pass();
+      has_settled = move();
+    }
+    if (balance_ == DerivativeBalance::kVoltage) {
+      const double error = mean_current_error(value_[1] / (value_[0] * signals_.rate_hz));
+      covariance_(0, 0) += error * error;
+    }
+    return {.names = {Balance::kValues.begin(), Balance::kValues.end()},
+            .value = {value_.begin(), value_.end()},
+            .covariance = covariance_,
+            .has_settled = has_settled,
+            .correlation = correlation_};
+  }
+
+ private:
+  static constexpr int kAll = static_cast<int>(Balance::kValues.size());
+  using Vector = Eigen::Matrix<double, kAll, 1>;
+  using Matrix = Eigen::Matrix<double, kAll, kAll>;
+
+  /// The sums of one pass: what the residuals have in common with the slopes, and how that would change.
+  void pass() {
+    sensitivity_ = Matrix::Zero();
+    sum_ = Vector::Zero();
+    spread_ = Matrix::Zero();
+    Matrix neighbours = Matrix::Zero();
+    DerivativeSource source(signals_, machine_, balance_);
+    Vector piece = Vector::Zero(), last_pull = Vector::Zero();
+    double square = 0.0, product = 0.0;
+    std::array<double, 2> last{};
+    const std::size_t length = signals_.rows / kPieces + 1;
+    for (std::size_t row = 0; source.next(); ++row) {
+      if (row % length == length - 1) close(piece);
+      const auto sample = source.sample();
+      const auto before = source.before();
+      if (!sample || !before) continue;
+      const auto now = Balance::row(value_, machine_, sample->input);
+      const auto instrument = Balance::row(value_, machine_, *before);
+      const double residual = sample->derivative - now.derivative;
+      const Eigen::Map<const Vector> z(instrument.slope.data()), slope(now.slope.data());
+      sensitivity_ += z * slope.transpose();
+      const Vector pull = z * residual;
+      piece += pull;
+      neighbours += pull * (pull + last_pull).transpose() + last_pull * pull.transpose();
+      last_pull = pull;
+      square += residual * residual;
+      product += residual * last[1];  // differences have noise in common with their neighbours
+      last = {residual, last[0]};
+    }
+    close(piece);
+    widen(neighbours);
+    correlation_ = square > 0.0 ? std::max(product / square, 0.0) : 0.0;
+  }
+
+  void close(Vector& piece) {
+    sum_ += piece;
+    spread_ += piece * piece.transpose();
+    piece.setZero();
+  }
+
+  /// Where a few pieces hold all of the information they fit by construction and show no spread: at least
+  /// that of residuals of which only neighbours have noise in common.
+  void widen(const Matrix& least) {
+    const Eigen::SelfAdjointEigenSolver<Matrix> more(least - spread_);
+    for (int k = 0; k < kAll; ++k) {
+      const Vector direction = more.eigenvectors().col(k);
+      spread_ += std::max(more.eigenvalues()(k), 0.0) * direction * direction.transpose();
+    }
+  }
+
+  /// A step in the combinations that the recording tells. Returns whether it was small.
+  bool move() {
+    const Eigen::JacobiSVD<Matrix> svd(sensitivity_, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Matrix& u = svd.matrixU();
+    const Matrix& v = svd.matrixV();
+    Matrix inverse = Matrix::Zero();
+    covariance_ = Matrix::Zero();
+    for (int k = 0; k < kAll; ++k) {
+      const double deviation = std::sqrt(u.col(k).dot(spread_ * u.col(k)));
+      const double size = svd.singularValues()(k);
+      if (deviation < kTold * size)
+        inverse += v.col(k) * u.col(k).transpose() / size;
+      else
+        covariance_ += kDatasheetFraction * kDatasheetFraction * v.col(k) * v.col(k).transpose();
+    }
+    const Matrix told = inverse * spread_ * inverse.transpose();
+    covariance_ += told;
+    const Vector step = inverse * sum_;
+    bool is_small = true;
+    for (int j = 0; j < kAll; ++j) {
+      value_[static_cast<std::size_t>(j)] *= std::exp(std::clamp(step(j), -kLargestStep, kLargestStep));
+      is_small = is_small && std::abs(step(j)) <= kSmallStep * std::sqrt(told(j, j));
+    }
+    return is_small;
+  }
+
+  DerivativeBalance balance_;
+  const RecordingSignals& signals_;
+  MachineParameters machine_;
+  const OnPass& on_pass_;
+  typename Balance::Values value_{};
+  Matrix sensitivity_, spread_, covariance_;
+  Vector sum_;
+  double correlation_ = 0.0;
+};
+
+}  // namespace
+
+template <class Balance>
+AxisEstimate fit_balance(DerivativeBalance balance, const RecordingSignals& signals,
+                         const MonitorConfiguration& configuration, const OnPass& on_pass) {
+  return Fit<Balance>(balance, signals, configuration, on_pass).run();
+}
+
+template AxisEstimate fit_balance<TorqueBalance>(DerivativeBalance, const RecordingSignals&,
+                                                 const MonitorConfiguration&, const OnPass&);
+template AxisEstimate fit_balance<ForceBalance>(DerivativeBalance, const RecordingSignals&,
+                                                const MonitorConfiguration&, const OnPass&);
+template AxisEstimate fit_balance<VoltageBalance>(DerivativeBalance, const RecordingSignals&,
+                                                  const MonitorConfiguration&, const OnPass&);
+
+}  // namespace morepro::host
