@@ -17,7 +17,7 @@ constexpr std::size_t kLanes = 11;
 constexpr int kFrames = 5000, kContact = 500, kChange = 2500, kEnd = 500;
 constexpr double kPeriodS = 1.0e-4;
 constexpr int kSubSteps = 5;
-constexpr double kVoltage = 48.0, kToolDegc = 500.0;
+constexpr double kToolDegc = 500.0;
 
 /// What of the real machine is not as stated.
 using Change = void (*)(MachineParameters& machine, double& tool_degc);
@@ -46,12 +46,13 @@ constexpr std::array kConditions{
 struct Subject {
   std::string_view name;
   MonitorConfiguration configuration;
+  double voltage_v;
   double first_mm;
   double second_mm;
 };
 
-constexpr std::array kSubjects{Subject{"thesis", thesis_configuration(), 0.6, 0.3},
-                               Subject{"reference", reference_configuration(), 0.05, 0.04}};
+constexpr std::array kSubjects{Subject{"thesis", thesis_configuration(), 52.0, 0.6, 0.3},
+                               Subject{"reference", reference_configuration(), 48.0, 0.05, 0.04}};
 
 constexpr std::array<std::string_view, 4> kRules{"thesis, integral", "Bayes, floor", "Markov", "continuous"};
 constexpr std::size_t kContinuous = 3;
@@ -68,7 +69,7 @@ class RealMachine {
   RealMachine(const MonitorConfiguration& c, std::uint64_t seed)
       : sensors_(c.sensors), integrator_(c.machine, kPeriodS / kSubSteps), noise_(seed) {}
 
-  PlantInput<double> input{.armature_voltage_v = kVoltage,
+  PlantInput<double> input{.armature_voltage_v = 0.0,
                            .feed_force_n = 0.0,
                            .contact = 0.0,
                            .engagement = 1.0,
@@ -128,6 +129,7 @@ class Trial {
     double tool_degc = kToolDegc;
     if (condition_.change != nullptr) condition_.change(real.machine, tool_degc);
     RealMachine machine(real, seed);
+    machine.input.armature_voltage_v = subject_.voltage_v;
     machine.input.tool_temperature_degc = tool_degc;
     const auto trackers = trackers_for(machine.measure());
     const float thermal = ContactLaw<float>(stated_.machine).thermal_factor(static_cast<float>(kToolDegc));
@@ -139,8 +141,8 @@ class Trial {
       machine.step();
       const SpindleMeasurement<float> y = machine.measure();
       const float acceleration = machine.acceleration();
-      const SpindleInput<float> held{static_cast<float>(kVoltage), static_cast<float>(machine.input.contact),
-                                     thermal};
+      const SpindleInput<float> held{static_cast<float>(subject_.voltage_v),
+                                     static_cast<float>(machine.input.contact), thermal};
       for (const auto& tracker : trackers) {
         SpindleMeasurement<float> own = y;
         (void)tracker->step(held, own, acceleration);
