@@ -54,7 +54,7 @@ TEST(BankTrial, AWrongTorqueConstantMovesEveryRuleOnTheThesisMachine) {
   EXPECT_LT(std::abs(row("reference", 1.0, "Kt + 1 %", "Markov").mean_error_mm), 0.005);
 }
 
-/// An independent program's times in 100 runs of its own (physics.md, section 5), ms.
+/// An independent program's times in 100 runs of its own, ms.
 struct MeasuredElsewhere {
   std::string_view machine;
   std::string_view rule;
