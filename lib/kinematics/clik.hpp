@@ -45,7 +45,7 @@ class Clik {
   /// Settings and table must have been validated.
   Clik(const Chain<Real>& chain, const ClikSettings& settings, const JointVector<Real>& start)
       : chain_(chain),
-        rows_(settings.rows),
+        mobility_(chain, settings.rows),
         gain_per_s_(Real(settings.gain_per_s)),
         period_s_(Real(settings.period_s)),
         home_(chain.frames({}).tool().rotation),
@@ -83,8 +83,9 @@ class Clik {
     Place(const Clik& clik, const ToolState<Real>& wanted)
         : frames(clik.chain_.frames(clik.joints_)),
           jacobian(clik.chain_.jacobian(frames)),
-          inverse(clik.rows_, clik.chain_.count(), jacobian),
-          error(task_error(clik.rows_, wanted.position_m, product(wanted.turn, clik.home_), frames.tool())) {}
+          inverse(clik.mobility_, clik.chain_.count(), jacobian),
+          error(task_error(clik.mobility_.rows(), wanted.position_m, product(wanted.turn, clik.home_),
+                           frames.tool())) {}
 
     ChainFrames<Real> frames;
     Jacobian<Real> jacobian;
@@ -94,13 +95,13 @@ class Clik {
 
   Twist<Real> in_task(Twist<Real> v) const {
     for (int row = 0; row < 6; ++row) {
-      if (!has_row(rows_, row)) v(row) = Real(0);
+      if (!has_row(mobility_.rows(), row)) v(row) = Real(0);
     }
     return v;
   }
 
   Chain<Real> chain_;
-  TaskRows rows_;
+  Mobility<Real> mobility_;
   Real gain_per_s_;
   Real period_s_;
   Matrix3<Real> home_;

@@ -1,29 +1,31 @@
 #pragma once
-#include "lib/kinematics/task.hpp"
+#include "lib/kinematics/mobility.hpp"
 #include "lib/math/ldl.hpp"
 
 namespace morepro::kinematics {
 
-/// Below this share of the largest diagonal of J J^T its smallest pivot counts as singular: a singular value
-/// of about 3 % of the largest.
+/// Below this share of the largest diagonal of J J^T its smallest pivot counts as singular, each in units of
+/// what is typical of its row: a singular value of about 3 % of the largest.
 inline constexpr double kSingularShare = 1.0e-3;
 
-/// q' = J^T (J J^T + lambda I)^-1 v over the rows of a task: the exact inverse, of least norm where joints
-/// are to spare, away from singularities; damped beside them, so that no joint runs away. lambda grows from 0
-/// where the smallest pivot of J J^T falls below kSingularShare of its largest diagonal (Nakamura and
-/// Hanafusa). A search that takes less of it the nearer it comes (`damping_share`, above 0, at most 1)
-/// converges at a singularity, too.
+/// q' = J^T (J J^T + lambda D)^-1 v over the directions of a task in which the chain moves at all: the exact
+/// inverse, of least norm where joints are to spare, away from singularities; damped beside them, so that no
+/// joint runs away. D: typical squares of the rows. lambda grows from 0 where the smallest pivot of J J^T
+/// falls below kSingularShare of its largest diagonal (Nakamura and Hanafusa). A search that takes less of it
+/// the nearer it comes (`damping_share`, above 0, at most 1) converges at a singularity, too.
 template <class Real>
 class DampedInverse {
  public:
   using Matrix6 = Eigen::Matrix<Real, 6, 6>;
 
-  DampedInverse(TaskRows rows, std::size_t joints, const Jacobian<Real>& jacobian, Real damping_share = 1)
-      : jacobian_(jacobian), joints_(joints), damping_(0), factors_(damped(rows, damping_share)) {}
+  DampedInverse(const Mobility<Real>& mobility, std::size_t joints, const Jacobian<Real>& jacobian,
+                Real damping_share = 1)
+      : jacobian_(jacobian), joints_(joints), damping_(0), factors_(damped(mobility, damping_share)) {}
 
   [[nodiscard]] Real damping() const { return damping_; }
 
-  /// Rates for a speed of the tool whose rows outside the task are 0.
+  /// Rates for a speed of the tool whose rows outside the task are 0. A speed along a still direction moves
+  /// nothing.
   [[nodiscard]] JointVector<Real> rates(const Twist<Real>& speed) const {
     const Twist<Real> weights = factors_.solve(speed);
     JointVector<Real> rate{};
@@ -33,22 +35,24 @@ class DampedInverse {
   }
 
  private:
-  math::Ldl<Real, 6> damped(TaskRows rows, Real damping_share) {
-    Matrix6 square = square_of(rows);
+  math::Ldl<Real, 6> damped(const Mobility<Real>& mobility, Real damping_share) {
+    Matrix6 square = square_of(mobility.rows());
     Real largest = 0;
-    for (int r = 0; r < 6; ++r) largest = square(r, r) > largest ? square(r, r) : largest;
-    // A row outside the task must not look singular; a chain that cannot move at all must not divide by 0.
-    const Real neutral = largest > Real(0) ? largest : Real(1);
     for (int r = 0; r < 6; ++r) {
-      if (!has_row(rows, r)) square(r, r) = neutral;
+      const Real relative = square(r, r) * mobility.per_typical_square()(r);
+      largest = relative > largest ? relative : largest;
     }
+    // A chain that cannot move at all must not divide by 0.
+    const Real neutral = largest > Real(0) ? largest : Real(1);
+    // What never moves must not look singular. J^T is 0 along it, so what is filled in moves no joint.
+    mobility.add_still(neutral, square);
     const math::Ldl<Real, 6> exact(square);
     const Real threshold = Real(kSingularShare) * neutral;
-    const Real pivot = exact.smallest_pivot();
+    const Real pivot = exact.smallest_pivot(mobility.per_typical_square());
     if (pivot >= threshold) return exact;
     const Real lack = pivot > Real(0) ? Real(1) - pivot / threshold : Real(1);
     damping_ = damping_share * threshold * lack * lack;
-    for (int r = 0; r < 6; ++r) square(r, r) += damping_;
+    for (int r = 0; r < 6; ++r) square(r, r) += damping_ * mobility.typical_square()(r);
     return math::Ldl<Real, 6>(square);
   }
 

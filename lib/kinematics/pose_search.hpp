@@ -19,7 +19,10 @@ class PoseSearch {
   static constexpr int kMostSteps = 200;
 
   PoseSearch(const Chain<Real>& chain, TaskRows rows, Real tolerance)
-      : chain_(chain), rows_(rows), tolerance_(tolerance), home_(chain.frames({}).tool().rotation) {}
+      : chain_(chain),
+        mobility_(chain, rows),
+        tolerance_(tolerance),
+        home_(chain.frames({}).tool().rotation) {}
 
   [[nodiscard]] PoseSearchResult<Real> find(const Waypoint<Real>& pose,
                                             const JointVector<Real>& start) const {
@@ -27,12 +30,12 @@ class PoseSearch {
     PoseSearchResult<Real> result{.joints = inside_limits(start)};
     for (int step = 0; step < kMostSteps; ++step) {
       const ChainFrames<Real> frames = chain_.frames(result.joints);
-      result.error = task_error(rows_, pose.position_m, rotation, frames.tool());
+      result.error = task_error(mobility_.rows(), pose.position_m, rotation, frames.tool());
       const Real left = math::sqrt(dot(result.error, result.error));
       result.is_reached = left <= tolerance_;
       if (result.is_reached) break;
       const Real share = left < Real(kDampedFrom) ? left / Real(kDampedFrom) : Real(1);
-      const DampedInverse<Real> inverse(rows_, chain_.count(), chain_.jacobian(frames), share);
+      const DampedInverse<Real> inverse(mobility_, chain_.count(), chain_.jacobian(frames), share);
       result.joints = moved(result.joints, inverse.rates(result.error));
     }
     return result;
@@ -64,7 +67,7 @@ class PoseSearch {
   }
 
   Chain<Real> chain_;
-  TaskRows rows_;
+  Mobility<Real> mobility_;
   Real tolerance_;
   Matrix3<Real> home_;
 };

@@ -41,12 +41,13 @@ class Ldl {
     return x;
   }
 
-  /// The smallest of the diagonal of D: not above how far S is from a singular matrix, negative or NaN where
-  /// rounding has passed it.
-  Real smallest_pivot() const {
-    Real smallest = pivot_(0);
+  /// The smallest of the diagonal of D, each times the weight of its row: tells how near S is to a singular
+  /// matrix, negative or NaN where rounding has passed it.
+  Real smallest_pivot(const Vector& weight) const {
+    Real smallest = pivot_(0) * weight(0);
     for (int j = 1; j < kN; ++j) {
-      if (!(pivot_(j) >= smallest)) smallest = pivot_(j);
+      const Real pivot = pivot_(j) * weight(j);
+      if (!(pivot >= smallest)) smallest = pivot;
     }
     return smallest;
   }

@@ -5,6 +5,7 @@
 
 #include "lib/kinematics/pose_search.hpp"
 #include "sim_host/kinematics/joint_limits.hpp"
+#include "sim_host/kinematics/still_motion.hpp"
 #include "sim_host/kinematics/trajectory.hpp"
 
 namespace morepro::host {
@@ -37,7 +38,11 @@ JointVector<double> random_start(const DhTable& table, std::mt19937& random) {
   return start;
 }
 
-[[noreturn]] void refuse(const PoseSearchResult<double>& nearest) {
+[[noreturn]] void refuse(const ChainDescription& chain, TaskRows rows,
+                         const PoseSearchResult<double>& nearest) {
+  const Mobility<double> mobility(Chain<double>(chain.table), rows);
+  if (const std::string off = off_along_still(mobility, nearest.error, kSearchTolerance); !off.empty())
+    throw UserError("the pose is out of reach: " + off);
   throw UserError(fmt::format(
       "the pose is out of reach: the tool stays {:.3g} m and {:.3g} rad away; move it nearer, or give "
       "the joints more room",
@@ -55,7 +60,7 @@ JointVector<double> joints_for(const ChainDescription& chain, TaskRows rows, con
     const auto found = search.find(pose, random_start(chain.table, random));
     if (found.is_reached || found.error.norm() < nearest.error.norm()) nearest = found;
   }
-  if (!nearest.is_reached) refuse(nearest);
+  if (!nearest.is_reached) refuse(chain, rows, nearest);
   return nearest.joints;
 }
 

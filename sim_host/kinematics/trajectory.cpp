@@ -10,6 +10,7 @@
 #include "lib/kinematics/clik.hpp"
 #include "lib/kinematics/path.hpp"
 #include "sim_host/kinematics/joint_limits.hpp"
+#include "sim_host/kinematics/still_motion.hpp"
 
 namespace morepro::host {
 namespace {
@@ -134,7 +135,8 @@ class Follower {
 /// Refuses a row that no machine could follow.
 class ReachCheck {
  public:
-  explicit ReachCheck(const KinematicsJob& job) : job_(job) {}
+  explicit ReachCheck(const KinematicsJob& job)
+      : job_(job), mobility_(Chain<double>(job.chain.table), rows_of(job)) {}
 
   /// `segment`: that the row is on; at a point the one that begins there.
   void check(const TrajectoryRow& row, std::size_t segment, bool is_last, bool is_damped) {
@@ -143,6 +145,8 @@ class ReachCheck {
     segment_ = segment;
     if (const std::string outside = outside_limits(job_.chain.table, row.joints); !outside.empty())
       refuse(row, goal, outside);
+    if (const std::string off = off_along_still(mobility_, row.error, job_.inverse.tolerance); !off.empty())
+      refuse(row, goal, off);
     const double error = row.error.norm();
     if ((is_damped || is_at_point) && !(error <= job_.inverse.tolerance))
       refuse(row, goal, off_by(error, is_damped));
@@ -161,6 +165,7 @@ class ReachCheck {
   }
 
   const KinematicsJob& job_;
+  Mobility<double> mobility_;
   std::size_t segment_ = 0;
 };
 

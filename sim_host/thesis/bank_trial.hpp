@@ -7,8 +7,8 @@
 
 namespace morepro::host::thesis {
 
-/// One rule of decision under one condition. The machine cuts from 50 ms on and changes its chip load at 250
-/// ms; the end is at 500 ms.
+/// One rule of decision under one condition. The machine cuts from 50 ms on, changes its chip load 200 ms
+/// later, with more noise 300 ms later, and stops 250 ms after that.
 struct BankTrialRow {
   std::string machine;   ///< built-in machine
   double noise = 1.0;    ///< of the sensors, times their nominal noise
@@ -23,6 +23,7 @@ struct BankTrialRow {
 struct BankTrialOptions {
   int runs = 20;
   std::uint64_t seed = 1;
+  bool with_mismatch = true;                                  ///< also machines that are not as stated
   std::function<void(std::string_view, double)> on_progress;  ///< condition, share of all of them
 };
 

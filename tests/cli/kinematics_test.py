@@ -32,6 +32,16 @@ highest_m = 0.3
 [[joint]]
 kind = "revolute"
 """
+# Two slides along z and y; the tool stays at x = 0.2.
+GANTRY = """[[joint]]
+kind = "prismatic"
+a_m = 0.2
+alpha_deg = -90
+[[joint]]
+kind = "prismatic"
+"""
+GANTRY_PATH = "x_m,y_m,z_m,duration_s\n0.2,0,0.1,\n0.2,0.3,0.4,2\n"
+PLANAR_ARM = ARM.split("[[joint]]\nkind = \"prismatic\"")[0]
 ARM_PATH = "x_m,y_m,z_m,yaw_deg,duration_s\n0.5,0.2,0,0,\n0.6,-0.3,0.1,90,1\n0.3,-0.3,0.2,400,1\n"
 
 
@@ -92,6 +102,27 @@ class Trajectories(ProgramTest):
         self.assertAlmostEqual(last["yaw_rad"], math.radians(400), delta=1e-9)
         for name in last:
             self.assertTrue(all(math.isfinite(row[name]) for row in rows), name)
+
+    def test_a_machine_of_two_axes_lags_as_predicted(self):
+        self.write("gantry.toml", GANTRY)
+        self.write("path.csv", GANTRY_PATH)
+        said = self.must_do("kinematics", "path.csv", "--chain", "gantry.toml", "--out", "joints.csv").stdout
+        self.assertNotIn("damped", said)
+        row = rows_of(self.folder / "joints.csv")[600]
+        for axis in "yz":
+            predicted = 1e-3 * row[f"acceleration_{axis}_m_s2"] / (2 * 50)
+            self.assertGreater(predicted, 0)
+            self.assertAlmostEqual(row[f"error_{axis}_m"], predicted, delta=0.01 * predicted)
+
+    def test_a_planar_arm_follows_its_path(self):
+        self.write("arm.toml", PLANAR_ARM)
+        self.write("path.csv", "x_m,y_m,z_m,duration_s\n0.5,0.2,0,\n0.6,-0.3,0,1\n")
+        said = self.must_do("kinematics", "path.csv", "--chain", "arm.toml", "--out", "joints.csv").stdout
+        self.assertNotIn("damped", said)
+        row = rows_of(self.folder / "joints.csv")[-1]
+        t1, t2 = row["t1_rad"], row["t2_rad"]
+        self.assertAlmostEqual(0.5 * math.cos(t1) + 0.4 * math.cos(t1 + t2), 0.6, delta=1e-4)
+        self.assertAlmostEqual(0.5 * math.sin(t1) + 0.4 * math.sin(t1 + t2), -0.3, delta=1e-4)
 
     def test_rates_are_the_differences_of_the_joints(self):
         self.write("arm.toml", ARM)
@@ -228,6 +259,27 @@ class Refusals(ProgramTest):
         self.refused("the joints cannot be there", "--forward", "0", "0", "0.4", "0", "--chain", "arm.toml")
         self.write("far.csv", ARM_PATH.replace("0.3,-0.3,0.2", "0.95,0,0.2"))
         self.refused("line 4: the path is out of reach at 1.", "far.csv", "--chain", "arm.toml", "--out", "joints.csv")
+
+    def test_motion_that_no_joint_makes(self):
+        self.write("gantry.toml", GANTRY)
+        for old, new, sentence in (
+                ("0.2,0.3,0.4,2", "0.25,0.3,0.4,2", "line 3: the path is out of reach at 0."),
+                ("0.2,0.3,0.4,2", "0.25,0.3,0.4,2", "off along x, and no joint of this chain moves it along x"),
+                ("0.2,", "0,", "line 2: the pose is out of reach: the tool is 0.2 m off along x, and no joint")):
+            self.write("path.csv", GANTRY_PATH.replace(old, new))
+            self.refused(sentence, "path.csv", "--chain", "gantry.toml", "--out", "joints.csv")
+        self.refused("the tool is 0.3 rad off about x, and no joint of this chain turns it about x",
+                     "--inverse", "0.2", "0", "0", "0.3", "--chain", "gantry.toml")
+        self.write("turned.toml", GANTRY.replace("alpha_deg", "theta_deg = 30\nalpha_deg", 1))
+        self.refused("no joint of this chain moves it along (0.866, 0.5, 0)", "--inverse", "1", "0", "0",
+                     "--chain", "turned.toml")
+        self.write("arm.toml", PLANAR_ARM)
+        self.refused("no joint of this chain moves it along z", "--inverse", "0.5", "0.2", "0.1", "--chain", "arm.toml")
+
+    def test_a_stretched_arm_is_out_of_reach_and_not_still(self):
+        self.write("arm.toml", PLANAR_ARM)
+        self.write("path.csv", "x_m,y_m,z_m,duration_s\n0.6,0,0,\n1.0,0,0,1\n")
+        self.refused("the tool is 0.00", "path.csv", "--chain", "arm.toml", "--out", "joints.csv")
 
     def test_a_tool_that_cannot_tilt_is_not_asked_to(self):
         self.write("path.csv", "x_m,y_m,z_m,pitch_deg,duration_s\n0,0,0,0,\n0.2,0,0,5,1\n")

@@ -28,7 +28,7 @@ class Thesis(ProgramTest):
     def test_the_bank_has_a_row_per_rule_and_condition(self):
         done = self.must_do("thesis", "--bank", "--runs", "1", "--json", "bank.json", "--progress", "off")
         rows = json.loads((self.folder / "bank.json").read_text())["bank"]
-        self.assertEqual(len(rows), 2 * 10 * 4)
+        self.assertEqual(len(rows), 2 * 12 * 4)
         self.assertEqual({row["machine"] for row in rows}, {"thesis", "reference"})
         self.assertIn("never", done.stdout)
 

@@ -5,7 +5,7 @@ import { DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
 import { Folder } from "./program.mjs";
 
 const FIGURES = [13, 14, 15, 16, 17, 18, 21, 22, 23, 24, 25, 26, 28, 29, 30, 31, 32, 33];
-const BANK_ROWS = 2 * 10 * 4;
+const BANK_ROWS = 2 * 12 * 4;
 
 let browser;
 let folder;

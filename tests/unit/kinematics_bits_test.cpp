@@ -43,5 +43,24 @@ TEST(Bits, SearchPathAndClikAreTheSameOnEveryMachine) {
   EXPECT_EQ(hash.value(), 0x4A79EC41U);
 }
 
+// A chain with still directions, none of them along an axis.
+TEST(Bits, AMachineOfTwoSkewedSlidesIsTheSameOnEveryMachine) {
+  DhTable table{.count = 2};
+  table.joints[0] = {JointKind::kPrismatic, 0.2, 0.0, 0.9, 0.5};
+  table.joints[1] = {JointKind::kPrismatic, 0.1};
+  const Chain<float> chain(table);
+  Clik<float> clik(chain, {.gain_per_s = 50.0, .period_s = 2.0e-3, .rows = kPositionRows}, {0.1F, 0.2F});
+  ToolState<float> wanted;
+  wanted.position_m = chain.frames({0.4F, -0.3F}).tool().position_m;
+  test::BitHash hash;
+  for (int k = 0; k < 100; ++k) {
+    const ClikStep<float> step = clik.step(wanted);
+    EXPECT_EQ(step.damping, 0.0F);
+    add(hash, step.rate);
+    add(hash, clik.joints());
+  }
+  EXPECT_EQ(hash.value(), 0x5BB78D79U);
+}
+
 }  // namespace
 }  // namespace morepro::kinematics

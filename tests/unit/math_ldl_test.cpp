@@ -35,14 +35,15 @@ TEST(Ldl, RefusesWhatIsNotPositive) {
 
 TEST(Ldl, ItsSmallestPivotTellsHowNearASingularMatrixIs) {
   Matrix3 s = Matrix3::Identity();
-  EXPECT_EQ((math::Ldl<double, 3>(s).smallest_pivot()), 1.0);
+  EXPECT_EQ((math::Ldl<double, 3>(s).smallest_pivot(Vector3::Ones())), 1.0);
+  EXPECT_EQ((math::Ldl<double, 3>(s).smallest_pivot({0.5, 0.25, 2.0})), 0.25);
   s(0, 0) = 4.0;
   s(1, 0) = s(0, 1) = 1.9;
-  EXPECT_NEAR((math::Ldl<double, 3>(s).smallest_pivot()), 1.0 - 1.9 * 1.9 / 4.0, 1.0e-15);
+  EXPECT_NEAR((math::Ldl<double, 3>(s).smallest_pivot(Vector3::Ones())), 1.0 - 1.9 * 1.9 / 4.0, 1.0e-15);
   s(1, 0) = s(0, 1) = 2.1;
-  EXPECT_LT((math::Ldl<double, 3>(s).smallest_pivot()), 0.0);
+  EXPECT_LT((math::Ldl<double, 3>(s).smallest_pivot(Vector3::Ones())), 0.0);
   s(1, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE((math::Ldl<double, 3>(s).smallest_pivot() >= 0.0));
+  EXPECT_FALSE((math::Ldl<double, 3>(s).smallest_pivot(Vector3::Ones()) >= 0.0));
 }
 
 TEST(Ldl, RefusesNanAndInfinity) {

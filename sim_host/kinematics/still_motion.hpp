@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "lib/kinematics/mobility.hpp"
+
+namespace morepro::host {
+
+/// "the tool is 0.1 m off along x, and no joint of this chain moves it along x; .." where an error holds more
+/// than `tolerance` (m, rad) that no joint could remove at any pose; else empty.
+std::string off_along_still(const kinematics::Mobility<double>& mobility,
+                            const kinematics::Twist<double>& error, double tolerance);
+
+}  // namespace morepro::host
