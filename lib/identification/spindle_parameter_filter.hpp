@@ -105,17 +105,14 @@ class SpindleParameterFilter {
     if constexpr (!Mode::kIsAnchored) follow_estimate();
     Regressors r = regressors(dw, di, a, phi);
     if constexpr (Mode::kIsAnchored) hold_at_rest(r);
-    Values from_speed{kt * r.i * per_inertia, -r.dw, Real(0), Real(0), Real(0)};
-    Values from_current{Real(0), Real(0), -r.di, -resistance * r.i * per_inductance,
-                        -kv * r.w * per_inductance};
-    if constexpr (Mode::kFindsFriction) {
-      from_speed[kFriction] = -viscous_friction_ * r.w * per_inertia;
-      from_current[kFriction] = Real(0);
-    }
+    Values slope{kt * r.i * per_inertia, -r.dw, -r.di, -resistance * r.i * per_inductance,
+                 -kv * r.w * per_inductance};
+    if constexpr (Mode::kFindsFriction) slope[kFriction] = -viscous_friction_ * r.w * per_inertia;
     std::array<Values, 2> g;
     for (std::size_t j = 0; j < kCount; ++j) {
-      g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
-      g[1][j] = phi.a10 * from_speed[j] + phi.a11 * from_current[j];
+      const bool is_electrical = j >= kInductance && j <= kBackEmfConstant;
+      g[0][j] = (is_electrical ? phi.a01 : phi.a00) * slope[j];
+      g[1][j] = (is_electrical ? phi.a11 : phi.a10) * slope[j];
     }
     if constexpr (Mode::kIsAnchored) {
       for (std::size_t j = 0; j < kCount; ++j) {
@@ -185,7 +182,7 @@ class SpindleParameterFilter {
   using Matrix = math::BasicMatrix2<Real>;
   using Covariance = UdCovariance<Real, 2 + kCount>;
 
-  static constexpr std::size_t kFriction = kSpindleParameterCount;
+  static constexpr std::size_t kInductance = 2, kBackEmfConstant = 4, kFriction = kSpindleParameterCount;
 
   /// Process noise of w and i per step, as a share of one measurement's variance.
   static constexpr double kProcessShare = 0.01;
