@@ -21,8 +21,9 @@ class LaneGate {
   Bits seen_ = 0;  ///< its top bit is set where a lane was beyond
 };
 
-/// Notices whether any lane of a loop leaves low <= x < high, or holds no number: cheaper than LaneGate. Both
-/// bounds are > 0, and the numbers between them as many as a power of two.
+/// Notices whether any lane of a loop leaves low <= x < high, or holds no number: cheaper than LaneGate. 0 <
+/// low, and the bounds are a power of two of floating-point numbers apart, so that the differences' bits can
+/// be gathered with "or".
 template <class Real>
 class WindowGate {
  public:
