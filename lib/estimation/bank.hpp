@@ -153,7 +153,8 @@ class Bank {
     // F = [[f, wi], [g, ii]]; the model's distance from the centre replaces the speed, so its offset is known
     // here.
     const Real ww = step_.ww, wi = step_.wi, iw = step_.iw, ii = step_.ii;
-    const Real w_offset = (ww - Real(1)) * centre_ + step_.w_per_v * input.armature_voltage_v;
+    const Real ww_less_1 = ww - Real(1), two_ii = ii + ii, ii_ii = ii * ii;
+    const Real w_offset = ww_less_1 * centre_ + step_.w_per_v * input.armature_voltage_v;
     const Real i_offset = iw * centre_ + step_.i_per_v * input.armature_voltage_v;
     const Real w_load = step_.w_per_nm * load, i_load = step_.i_per_nm * load;
     const Real qw = noise_.speed_variance, qi = noise_.current_variance;
@@ -161,8 +162,9 @@ class Bank {
     const Real yw = y.has_speed() ? y.speed_rad_s - centre_ : Real(0);
     const Real yi = y.has_current() ? y.current_a : Real(0);
     const Real domain = LocalTorque<Real, kN>::domain(centre_);
-    const Real inverse_reference = Real(1) / reference_;
-    LaneGate<Real> gate, series_gate;
+    const Real half_inverse_reference = Real(0.5) / reference_;
+    LaneGate<Real> gate;
+    WindowGate<Real> series_gate{Real(1.5 - 0.5 * kSeriesDomain), Real(1.5 + 0.5 * kSeriesDomain)};
     for (std::size_t j = 0; j < kN; ++j) {
       const Real d = d_[j], i = i_[j], pww = pww_[j], pwi = pwi_[j], pii = pii_[j];
       Real torque, slope;
@@ -170,12 +172,12 @@ class Bank {
       const Real dw_slope = w_load * slope;
       const Real f = ww + dw_slope;
       const Real g = iw + i_load * slope;
-      const Real change = w_offset + (ww * d + wi * i + w_load * torque) - d;
+      const Real change = w_offset + (ww_less_1 * d + wi * i + w_load * torque);
       const Real dp = d + (change + Real(0.5) * dw_slope * change);
       const Real ip = i_offset + (iw * d + ii * i + i_load * torque);
       const Real t0 = f * pww + wi * pwi, t1 = f * pwi + wi * pii;
-      const Real u0 = g * pww + ii * pwi, u1 = g * pwi + ii * pii;
-      const Real mww = t0 * f + t1 * wi + qw, mwi = t0 * g + t1 * ii, mii = u0 * g + u1 * ii + qi;
+      const Real mww = t0 * f + t1 * wi + qw, mwi = t0 * g + t1 * ii;
+      const Real mii = g * (g * pww + two_ii * pwi) + ii_ii * pii + qi;
 
       const Real s1 = mww + rw, inverse1 = Real(1) / s1;
       const Real k0 = mww * inverse1, k1 = mwi * inverse1, e1 = yw - dp;
@@ -192,25 +194,28 @@ class Bank {
       gate.see(domain, d2);
 
       const Real nis = e1 * e1 * inverse1 + e2 * e2 * inverse2;
-      const Real determinant = s1 * s2, x = determinant * inverse_reference - Real(1);
+      const Real determinant = s1 * s2, half_ratio = determinant * half_inverse_reference;
       nis_[j] = nis;
       determinant_[j] = determinant;
-      log_likelihood_[j] = Real(-0.5) * (nis + x * (Real(1) - x * Real(0.5)));
-      series_gate.see(Real(kSeriesDomain), x);
+      // ln(1 + x) = x - x^2/2 is a product but for a constant, which is common to the bank.
+      const Real from_2 = Real(2) - half_ratio;
+      log_likelihood_[j] = -(Real(0.5) * nis) - half_ratio * from_2;
+      series_gate.see(from_2);
     }
     gate_ = gate;
-    if (series_gate.is_any_beyond()) take_logarithms(inverse_reference);
+    if (series_gate.is_any_beyond()) take_logarithms(half_inverse_reference);
     reference_ = determinant_[0];
   }
 
   /// The likelihoods by the logarithm itself, where the series in the ratio of determinants does not reach:
   /// after a start and where a channel comes or goes.
-  void take_logarithms(Real inverse_reference) {
+  void take_logarithms(Real half_inverse_reference) {
     for (std::size_t j = 0; j < kN; ++j)
-      log_likelihood_[j] = Real(-0.5) * (nis_[j] + math::log(determinant_[j] * inverse_reference));
+      log_likelihood_[j] = Real(-0.5) * (nis_[j] + math::log(determinant_[j] * half_inverse_reference));
   }
 
-  static constexpr double kSeriesDomain = 1.0 / 32.0;  // error of the series below x^3/6 = 5e-6
+  /// The ratio of determinants is 1 + x with |x| <= 1/32: error of the series below x^3/6 = 5e-6.
+  static constexpr double kSeriesDomain = 1.0 / 32.0;
 
   ContactLaw<Real> law_;
   LocalTorque<Real, kN> local_;

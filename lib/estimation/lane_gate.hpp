@@ -21,4 +21,23 @@ class LaneGate {
   Bits seen_ = 0;  ///< its top bit is set where a lane was beyond
 };
 
+/// Notices whether any lane of a loop leaves low <= x < high, or holds no number: cheaper than LaneGate. 0 <
+/// low, and the bounds are a power of two of floating-point numbers apart, so that the differences' bits can
+/// be gathered with "or".
+template <class Real>
+class WindowGate {
+ public:
+  WindowGate(Real low, Real high) : low_(bits_of(low)), width_(bits_of(high) - low_) {}
+
+  void see(Real x) { seen_ |= bits_of(x) - low_; }
+  [[nodiscard]] bool is_any_beyond() const { return seen_ >= width_; }
+
+ private:
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  static Bits bits_of(Real x) { return std::bit_cast<Bits>(x); }
+
+  Bits low_, width_;
+  Bits seen_ = 0;
+};
+
 }  // namespace morepro

@@ -67,10 +67,14 @@ class UdCovariance {
   template <std::size_t h>
   Update update(Real variance) {
     Update result{};
-    Real alpha = variance;
-    Real inverse = Real(1) / variance;
+    // The first column: the diagonal of U is 1, and nothing has been gained before it.
+    for (std::size_t i = 0; i < h; ++i) result.gain[i] = d_[h] * u_[i][h];
+    result.gain[h] = d_[h];
+    Real alpha = variance + d_[h];
+    Real inverse = Real(1) / alpha;
+    d_[h] *= variance * inverse;
 #pragma GCC unroll 8
-    for (std::size_t j = h; j < kN; ++j) {
+    for (std::size_t j = h + 1; j < kN; ++j) {
       const Real f = u_[h][j];
       const Real v = d_[j] * f;
       const Real before = alpha;
@@ -120,12 +124,12 @@ class UdCovariance {
       Real from0 = f[0][0] * u_[0][j] + f[0][1] * u_[1][j];
       Real from1 = f[1][0] * u_[0][j] + f[1][1] * u_[1][j];
 #pragma GCC unroll 8
-      for (std::size_t k = kDynamic; k <= j; ++k) {
+      for (std::size_t k = kDynamic; k < j; ++k) {
         from0 += g[0][k - kDynamic] * u_[k][j];
         from1 += g[1][k - kDynamic] * u_[k][j];
       }
-      u_[0][j] = from0;
-      u_[1][j] = from1;
+      u_[0][j] = from0 + g[0][j - kDynamic];
+      u_[1][j] = from1 + g[1][j - kDynamic];
     }
   }
 

@@ -68,6 +68,17 @@ class ColumnSet {
     return all;
   }
 
+  /// The second half of a step's friction: from `free`, where the rest of the step led to, from `start` and
+  /// the `first` half.
+  FrictionStep<Real> rub_on(BrakedState state, Real start, FrictionStep<Real>& first, Real free, Real yield,
+                            Real time_s) const {
+    const FrictionStep<Real> last = rub(state, free, yield, time_s);
+    if constexpr (kApplied == 0)
+      return last;
+    else
+      return around_a_turn(start, first, free, last);
+  }
+
   /// visit(index, contribution) for every term: what it adds where it is of that sort, nothing where it is
   /// not.
   template <class Visit>

@@ -125,8 +125,8 @@ class FeedObserver {
     added_ = terms_.applied(middle, false);
     const Real rate_added = added_.force_n / k.mass_kg;
     const Real free_m_s = v + dv + integral_.a11 * rate_added;
-    const auto after = around_a_turn(observer_.mean(1), before, free_m_s,
-                                     terms_.rub(BrakedState::kFeedSpeed, free_m_s, yield, frame.time_s));
+    const auto after =
+        terms_.rub_on(BrakedState::kFeedSpeed, observer_.mean(1), before, free_m_s, yield, frame.time_s);
     const Real rubbed_m_s = v - observer_.mean(1) + after.value - free_m_s;
     added_.force_n += half * rubbed_m_s / yield;
     load_columns(middle, (dv + integral_.a11 * rate_added + rubbed_m_s) / step_s_, frame.input);

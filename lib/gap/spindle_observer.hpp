@@ -129,10 +129,10 @@ class SpindleObserver {
     const Real rate_i = added_.voltage_v / k.inductance_h;
     const Real free_w = x.speed_rad_s + dw + psi.a00 * rate_w + psi.a01 * rate_i;
     const Real free_i = x.current_a + di + psi.a10 * rate_w + psi.a11 * rate_i;
-    const auto w1 = around_a_turn(observer_.mean(0), w0, free_w,
-                                  terms_.rub(BrakedState::kSpindleSpeed, free_w, yield_w, frame.time_s));
-    const auto i1 = around_a_turn(observer_.mean(1), i0, free_i,
-                                  terms_.rub(BrakedState::kCurrent, free_i, yield_i, frame.time_s));
+    const auto w1 =
+        terms_.rub_on(BrakedState::kSpindleSpeed, observer_.mean(0), w0, free_w, yield_w, frame.time_s);
+    const auto i1 =
+        terms_.rub_on(BrakedState::kCurrent, observer_.mean(1), i0, free_i, yield_i, frame.time_s);
     const Real rubbed_w = w0.value - observer_.mean(0) + w1.value - free_w;
     const Real rubbed_i = i0.value - observer_.mean(1) + i1.value - free_i;
     added_.torque_nm += half * rubbed_w / yield_w;

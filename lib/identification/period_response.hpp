@@ -49,14 +49,15 @@ std::array<std::array<Real, kN>, 2> spindle_slopes(const std::array<Real, kN>& v
                                                    const SpindleRegressors<Real>& r,
                                                    const math::BasicMatrix2<Real>& phi) {
   const Real per_inertia = Real(1) / value[1], per_inductance = Real(1) / value[2];
-  std::array<Real, kN> from_speed{value[0] * r.i * per_inertia, -r.dw},
-      from_current{Real(0), Real(0), -r.di, -value[3] * r.i * per_inductance,
-                   -value[4] * r.w * per_inductance};
-  if constexpr (kN > 5) from_speed[5] = -viscous_friction * r.w * per_inertia;
+  constexpr std::size_t kInductance = 2, kBackEmfConstant = 4, kFriction = 5;
+  std::array<Real, kN> slope{value[0] * r.i * per_inertia, -r.dw, -r.di, -value[3] * r.i * per_inductance,
+                             -value[4] * r.w * per_inductance};
+  if constexpr (kN > kFriction) slope[kFriction] = -viscous_friction * r.w * per_inertia;
   std::array<std::array<Real, kN>, 2> g;
   for (std::size_t j = 0; j < kN; ++j) {
-    g[0][j] = phi.a00 * from_speed[j] + phi.a01 * from_current[j];
-    g[1][j] = phi.a10 * from_speed[j] + phi.a11 * from_current[j];
+    const bool is_electrical = j >= kInductance && j <= kBackEmfConstant;
+    g[0][j] = (is_electrical ? phi.a01 : phi.a00) * slope[j];
+    g[1][j] = (is_electrical ? phi.a11 : phi.a10) * slope[j];
   }
   return g;
 }

@@ -37,31 +37,34 @@ class UdBlock {
 
   /// Bierman's update with y = h' theta + noise of `variance` > 0.
   Update update(const Vector& h, Real variance) {
-    Update result{};
-    Real alpha = variance;
-    Real inverse = Real(1) / variance;
+    // The first column divides its variance itself, which spares the reciprocal: gain = direction / alpha.
+    Vector direction{d_[0] * h[0]};
+    Real alpha = variance + h[0] * direction[0];
+    const Real share = d_[0] / alpha;
+    d_[0] = share * variance;
+    Vector gain{share * h[0]};
+    Real inverse = Real(1);  // what `gain` is still to be multiplied by
 #pragma GCC unroll 8
-    for (std::size_t j = 0; j < kN; ++j) {
+    for (std::size_t j = 1; j < kN; ++j) {
       Real f = h[j];
 #pragma GCC unroll 8
       for (std::size_t i = 0; i < j; ++i) f += u_[place(i, j)] * h[i];
       const Real v = d_[j] * f;
       const Real before = alpha;
-      const Real lambda = -f * inverse;
+      const Real lambda = f * inverse;
       alpha += f * v;
       inverse = Real(1) / alpha;
       d_[j] *= before * inverse;
 #pragma GCC unroll 8
       for (std::size_t i = 0; i < j; ++i) {
         const Real u = u_[place(i, j)];
-        u_[place(i, j)] = u + lambda * result.direction[i];
-        result.direction[i] += v * u;
+        direction[i] += v * u;
+        u_[place(i, j)] = u - lambda * gain[i];
       }
-      result.direction[j] = v;
+      direction[j] = v;
+      gain = direction;
     }
-    result.innovation_variance = alpha;
-    result.inverse_variance = inverse;
-    return result;
+    return {direction, alpha, inverse};
   }
 
   /// h' P h.

@@ -73,10 +73,11 @@ void step_decision() {
 /// The safety gates of one step: two per lane, loop and loads included.
 void step_gates() {
   static std::array<float, 32> lanes{};
-  LaneGate<float> domain, series;
+  LaneGate<float> domain;
+  WindowGate<float> series{1.484375F, 1.515625F};
   for (float lane : lanes) {
     domain.see(23.0F, lane);
-    series.see(0.03F, lane);
+    series.see(lane);
   }
   keep(domain);
   keep(series);
