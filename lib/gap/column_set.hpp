@@ -73,7 +73,7 @@ class ColumnSet {
   FrictionStep<Real> rub_on(BrakedState state, Real start, FrictionStep<Real>& first, Real free, Real yield,
                             Real time_s) const {
     const FrictionStep<Real> last = rub(state, free, yield, time_s);
-    if constexpr (kApplied == 0)
+    if constexpr (kMostApplied == 0)
       return last;
     else
       return around_a_turn(start, first, free, last);
