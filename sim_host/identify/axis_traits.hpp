@@ -15,6 +15,10 @@ namespace morepro::host {
 /// Standard deviation of a datasheet's values, relative: a factor of two either way is no surprise.
 inline constexpr double kDatasheetFraction = 0.7;
 
+constexpr double datasheet_fraction(MachineValue value) {
+  return is_friction(value) ? AnchoredWithFriction::kFrictionFraction : kDatasheetFraction;
+}
+
 /// What the passes over a recording need to know of the spindle's filter: measured elements 0 speed, 1
 /// current.
 struct SpindleTraits {

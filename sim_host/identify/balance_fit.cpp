@@ -13,8 +13,6 @@ namespace {
 
 constexpr int kMostSteps = 20;
 constexpr std::size_t kPieces = 50;
-constexpr double kTold =
-    kDatasheetFraction;             // standard deviation of a combination that the datasheet tells better
 constexpr double kSmallStep = 0.1;  // of a standard error
 constexpr double kLargestStep = 0.7;
 
@@ -100,20 +98,21 @@ class Fit {
     }
   }
 
-  /// A step in the combinations that the recording tells. Returns whether it was small.
+  /// A step in the combinations that the recording tells better than the datasheet does. Returns whether it
+  /// was small.
   bool move() {
-    const Eigen::JacobiSVD<Matrix> svd(sensitivity_, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Matrix& u = svd.matrixU();
-    const Matrix& v = svd.matrixV();
+    const Matrix datasheet = datasheet_deviations().asDiagonal();
+    const Matrix scaled = sensitivity_ * datasheet;
+    const Eigen::JacobiSVD<Matrix> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Matrix inverse = Matrix::Zero();
     covariance_ = Matrix::Zero();
     for (int k = 0; k < kAll; ++k) {
-      const double deviation = std::sqrt(u.col(k).dot(spread_ * u.col(k)));
+      const Vector u = svd.matrixU().col(k), v = datasheet * svd.matrixV().col(k);
       const double size = svd.singularValues()(k);
-      if (deviation < kTold * size)
-        inverse += v.col(k) * u.col(k).transpose() / size;
+      if (std::sqrt(u.dot(spread_ * u)) < size)
+        inverse += v * u.transpose() / size;
       else
-        covariance_ += kDatasheetFraction * kDatasheetFraction * v.col(k) * v.col(k).transpose();
+        covariance_ += v * v.transpose();
     }
     const Matrix told = inverse * spread_ * inverse.transpose();
     covariance_ += told;
@@ -124,6 +123,13 @@ class Fit {
       is_small = is_small && std::abs(step(j)) <= kSmallStep * std::sqrt(told(j, j));
     }
     return is_small;
+  }
+
+  static Vector datasheet_deviations() {
+    Vector deviations;
+    for (int j = 0; j < kAll; ++j)
+      deviations(j) = datasheet_fraction(Balance::kValues[static_cast<std::size_t>(j)]);
+    return deviations;
   }
 
   DerivativeBalance balance_;

@@ -80,11 +80,6 @@ std::size_t partner_of(const AxisEstimate& e, std::size_t index) {
   return partner;
 }
 
-/// Standard deviation of a datasheet's value, relative.
-double datasheet_fraction(MachineValue value) {
-  return is_friction(value) ? AnchoredWithFriction::kFrictionFraction : kDatasheetFraction;
-}
-
 /// What a value rests on that the recording does not tell.
 std::string assumption_of(const AxisEstimate& e, std::size_t index) {
   std::string text = e.names[index] == MachineValue::kContactForce ? kWithOffset : "";

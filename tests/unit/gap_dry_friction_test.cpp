@@ -78,7 +78,9 @@ TEST(DryFriction, HalvesStayWhereNothingTurnsOrFrictionHolds) {
   for (const double start : {-3.0, -0.2, 0.1, 0.5, 4.0})
     for (const double drive : {-0.9, -0.3, 0.0, 0.4, 0.9}) {
       const auto seen = halved(start, drive, 1.0, true), plain = halved(start, drive, 1.0, false);
-      if (start * (start + drive) >= 0.0) EXPECT_EQ(seen.value, plain.value) << start << " " << drive;
+      if (start * (start + drive) >= 0.0) {
+        EXPECT_EQ(seen.value, plain.value) << start << " " << drive;
+      }
       EXPECT_NEAR(seen.value, driven(start, drive, 1.0), 0.3) << start << " " << drive;
     }
 }
