@@ -68,8 +68,8 @@ class ColumnSet {
     return all;
   }
 
-  /// The second half of a step's friction: from `free`, where the rest of the step led to, from `start` and
-  /// the `first` half.
+  /// The second half of a step's friction on a state that may turn in between: from `free`, where the rest of
+  /// the step led to, from `start` and the `first` half.
   FrictionStep<Real> rub_on(BrakedState state, Real start, FrictionStep<Real>& first, Real free, Real yield,
                             Real time_s) const {
     const FrictionStep<Real> last = rub(state, free, yield, time_s);

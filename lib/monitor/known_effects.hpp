@@ -141,13 +141,8 @@ class KnownEffects {
     free.current_a += 2.0F * yield_i * added.voltage_v;
     free.feed_speed_m_s += 2.0F * yield_v * added.force_n;
     PlantState<float> end = after_friction(free, yield_w, yield_i, yield_v);
-    const auto turn = [&](float PlantState<float>::*x) {
-      gap::FrictionStep<float> first{rubbed.*x};
-      end.*x = gap::around_a_turn(now.*x, first, free.*x, {end.*x}).value;
-    };
-    turn(&PlantState<float>::speed_rad_s);
-    turn(&PlantState<float>::current_a);
-    turn(&PlantState<float>::feed_speed_m_s);
+    gap::FrictionStep<float> first{rubbed.current_a};
+    end.current_a = gap::around_a_turn(now.current_a, first, free.current_a, {end.current_a}).value;
     const auto load = [](float before, float after, float freely, float start, float yield) {
       return 0.5F * (before - start + after - freely) / yield;
     };

@@ -106,6 +106,12 @@ TEST(Monitor, SaysNotEnoughDataWhenASensorWasNeverThere) {
   }
 }
 
+TEST(Monitor, DoesNotCallAToolIdleWhoseContactNobodyRecords) {
+  auto frames = test::frames_of(kReference, {.frames = 3000, .contact_frame = 3000});
+  for (auto& frame : frames) frame.clear(Channel::kContact);
+  EXPECT_EQ(run(frames).reason, static_cast<std::uint16_t>(ReasonCode::kSensorMissing));
+}
+
 TEST(Monitor, NoValueOfAnyFieldMakesAnOutputNotANumber) {
   const auto frames = test::frames_of(kReference, {.frames = 3000});
   const float bad_values[] = {
