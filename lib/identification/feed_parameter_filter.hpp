@@ -51,7 +51,9 @@ class FeedParameterFilter {
   void anchor_at(const Values& values) {
     value_ = values;
     if constexpr (Mode::kFindsFriction) viscous_friction_ = values[kFriction];
-    if constexpr (Mode::kIsAnchored) deviation_.value.fill(Real(0));
+    if constexpr (Mode::kIsAnchored)
+      for (std::size_t j = 0; j < kCount; ++j)
+        deviation_.value[j] = values[j] > Real(0) ? math::log(datasheet_[j] / values[j]) : Real(0);
   }
 
   /// Position and speed start from the measurement; what is known of the parameters stays.
@@ -67,15 +69,14 @@ class FeedParameterFilter {
   /// As SpindleParameterFilter::hold.
   void hold(bool is_still) requires Mode::kIsAnchored { deviation_.is_still = is_still; }
 
-  /// Over the period that ended with the present frame; the position to second order, exact without friction.
+  /// Over the period that ended with the present frame.
   void predict(const FeedInput<Real>& input, Real speed_variance) {
     const Real mass = value_[0], contact_force = value_[1];
     const Real h = period_s_, per_mass = Real(1) / mass;
     const Real pushed = input.contact * input.engagement * contact_force;
     const Real force = input.force_n - viscous_friction_ * v_ - pushed - input.contact * contact_offset_;
-    const auto [kept, per_acceleration] = FeedResponse<Real>(viscous_friction_ * per_mass, h);
+    const FeedResponse<Real> response(viscous_friction_ * per_mass, h);
     const Real acceleration = force * per_mass;
-    const Real half = Real(0.5) * h;
     const Real from_contact = -pushed * per_mass;
     Values slope{-acceleration, from_contact};
     if constexpr (Mode::kIsAnchored) {
@@ -85,13 +86,13 @@ class FeedParameterFilter {
     if constexpr (Mode::kFindsFriction) slope[kFriction] = -viscous_friction_ * v_regressor() * per_mass;
     std::array<Values, 2> g;
     for (std::size_t j = 0; j < kCount; ++j) {
-      g[0][j] = slope[j] * half * h;
-      g[1][j] = slope[j] * per_acceleration;
+      g[0][j] = slope[j] * response.way_per_acceleration;
+      g[1][j] = slope[j] * response.per_acceleration;
     }
-    covariance_.predict({{{Real(1), per_acceleration}, {Real(0), kept}}}, g,
+    covariance_.predict({{{Real(1), response.per_acceleration}, {Real(0), response.kept}}}, g,
                         {speed_variance * h * h, speed_variance});
-    x_ += h * (v_ + half * acceleration);
-    v_ += acceleration * per_acceleration;
+    x_ += h * v_ + response.way_per_acceleration * acceleration;
+    v_ += response.per_acceleration * acceleration;
     if constexpr (Mode::kIsAnchored) {
       for (std::size_t j = 0; j < kCount; ++j) {
         x_ += g[0][j] * deviation_.value[j];

@@ -63,16 +63,17 @@ std::array<std::array<Real, kN>, 2> spindle_slopes(const std::array<Real, kN>& v
 }
 
 /// The feed axis over one period: how much of its speed stays, and what an acceleration at the period's
-/// beginning adds to it, by the same series. `friction_rate`: viscous friction over mass, 1/s.
+/// beginning adds to its speed and to its position, by the same series. `friction_rate`: viscous friction
+/// over mass, 1/s.
 template <class Real>
 struct FeedResponse {
-  Real kept, per_acceleration;
+  Real kept, per_acceleration, way_per_acceleration;
 
   FeedResponse(Real friction_rate, Real period_s) {
-    const Real decay = friction_rate * period_s;
-    per_acceleration =
-        period_s *
-        (Real(1) - Real(0.5) * decay * (Real(1) - Real(1.0 / 3.0) * decay * (Real(1) - Real(0.25) * decay)));
+    const Real decay = friction_rate * period_s, half = Real(0.5) * period_s;
+    const Real third = Real(1) - Real(1.0 / 3.0) * decay * (Real(1) - Real(0.25) * decay);
+    per_acceleration = period_s - half * decay * third;
+    way_per_acceleration = half * period_s * third;
     kept = Real(1) - friction_rate * per_acceleration;
   }
 };

@@ -67,7 +67,9 @@ class SpindleParameterFilter {
   void anchor_at(const Values& values) {
     value_ = values;
     if constexpr (Mode::kFindsFriction) viscous_friction_ = values[kFriction];
-    if constexpr (Mode::kIsAnchored) deviation_.value.fill(Real(0));
+    if constexpr (Mode::kIsAnchored)
+      for (std::size_t j = 0; j < kCount; ++j)
+        deviation_.value[j] = values[j] > Real(0) ? math::log(datasheet_[j] / values[j]) : Real(0);
   }
 
   /// Speed and current start from the measurement; what is known of the parameters stays.
@@ -232,6 +234,12 @@ class SpindleParameterFilter {
     const Real w_mean = reference_[0] + Real(0.5) * w_change, i_mean = reference_[1] + Real(0.5) * i_change;
     reference_[0] += w_change;
     reference_[1] += i_change;
+    // Derivatives of these very means: those of the change would not quite fit them, and a misfit looks like
+    // information on a line along which nothing changes.
+    if constexpr (Mode::kIsAnchored) {
+      const Real w_from = w_mean - w_, i_from = i_mean - i_;
+      return {w_mean, i_mean, dw + a.a00 * w_from + a.a01 * i_from, di + a.a10 * w_from + a.a11 * i_from};
+    }
     const Real per_period = Real(1) / period_s_;
     return {w_mean, i_mean, w_change * per_period, i_change * per_period};
   }

@@ -7,7 +7,10 @@
 namespace morepro::host {
 namespace {
 
-constexpr int kMostSteps = 10;
+constexpr int kMostSteps = 20;
+constexpr double kLargestStep = 0.7;        // of a logarithm
+constexpr double kShortestStep = 0.1;       // of a proposed one
+constexpr double kLearntOnLine = 0.1;       // standard deviation
 constexpr double kSmallStep = 0.5;          // of a standard error
 constexpr double kVague = 0.05;             // what is known no better need not stand still
 constexpr double kWorthIt = 3.0;            // log-likelihood that a larger process noise must bring
@@ -27,7 +30,7 @@ class Search {
   Search(const RecordingSignals& signals, const MonitorConfiguration& configuration, const OnPass& on_pass)
       : signals_(signals), configuration_(configuration), on_pass_(on_pass) {
     for (std::size_t j = 0; j < Pass::kCount; ++j)
-      found_.value[j] = value_in(configuration.machine, Traits::kValues[j]);
+      at_[j] = value_in(configuration.machine, Traits::kValues[j]);
   }
 
   AxisEstimate run() {
@@ -40,15 +43,33 @@ class Search {
  private:
   using Result = typename Pass::Result;
 
-  /// The board's pass. What it does not find stays the datasheet's.
+  /// From the datasheet, or from what the board's pass learnt, whichever explains the recording better: on
+  /// line a value that is not learnt may wander anywhere.
   void start() {
+    const Values datasheet = at_;
+    found_ = pass(share_, signals_.rows);
+    at_ = learnt_on_line(datasheet);
+    Result other = pass(share_, signals_.rows);
+    if (other.log_likelihood > found_.log_likelihood)
+      found_ = std::move(other);
+    else
+      at_ = datasheet;
+  }
+
+  /// The board's pass. What it does not find stays the datasheet's.
+  Values learnt_on_line(const Values& datasheet) {
     using OnLinePass = AxisPass<Traits, OnLine>;
     count_pass();
-    typename OnLinePass::Values datasheet{};
-    std::copy_n(found_.value.begin(), datasheet.size(), datasheet.begin());
+    typename OnLinePass::Values from{};
+    std::copy_n(datasheet.begin(), from.size(), from.begin());
     const double share = Traits::kOnLineShare;
-    const auto first = OnLinePass(signals_, configuration_, signals_.rows).run(datasheet, {share, share});
-    std::copy_n(first.value.begin(), datasheet.size(), found_.value.begin());
+    const auto first = OnLinePass(signals_, configuration_, signals_.rows).run(from, {share, share});
+    Values learnt = datasheet;
+    for (std::size_t j = 0; j < from.size(); ++j) {
+      const auto k = static_cast<Eigen::Index>(j);
+      if (first.covariance(k, k) < kLearntOnLine * kLearntOnLine) learnt[j] = first.value[j];
+    }
+    return learnt;
   }
 
   void count_pass() {
@@ -56,25 +77,43 @@ class Search {
     on_pass_();
   }
 
+  /// Linearised at the present values.
   Result pass(const Shares& share, std::size_t rows) {
     count_pass();
-    return Pass(signals_, configuration_, rows).run(found_.value, share);
+    return Pass(signals_, configuration_, rows).run(at_, share);
   }
 
+  /// Gauss-Newton steps until nothing moves, shorter ones where a step would explain less.
   void settle() {
-    has_settled_ = false;
+    found_ = pass(share_, signals_.rows);
+    has_settled_ = is_small_step(found_);
     for (int step = 0; step < kMostSteps && !has_settled_; ++step) {
-      Result next = pass(share_, signals_.rows);
-      has_settled_ = is_small_step(next);
+      const Values from = at_, to = found_.value;
+      Result next;
+      for (double length = 1.0; length > kShortestStep; length *= 0.5) {
+        at_ = between(from, to, length);
+        next = pass(share_, signals_.rows);
+        if (next.log_likelihood > found_.log_likelihood - kWorthIt) break;
+      }
       found_ = std::move(next);
+      has_settled_ = is_small_step(found_);
     }
+  }
+
+  /// `length` of the way, at most by a factor of two.
+  static Values between(const Values& from, const Values& to, double length) {
+    Values values = from;
+    for (std::size_t j = 0; j < values.size(); ++j)
+      if (from[j] > 0.0)
+        values[j] *= std::exp(length * std::clamp(std::log(to[j] / from[j]), -kLargestStep, kLargestStep));
+    return values;
   }
 
   bool is_small_step(const Result& next) const {
     for (std::size_t j = 0; j < Pass::kCount; ++j) {
       const auto k = static_cast<Eigen::Index>(j);
-      if (!(found_.value[j] > 0.0)) continue;  // no parameter
-      const double step = std::abs(std::log(next.value[j] / found_.value[j]));
+      if (!(at_[j] > 0.0)) continue;  // no parameter
+      const double step = std::abs(std::log(next.value[j] / at_[j]));
       const double deviation = std::sqrt(next.covariance(k, k));
       if (deviation < kVague && !(step <= kSmallStep * deviation)) return false;
     }
@@ -116,7 +155,8 @@ class Search {
   const RecordingSignals& signals_;
   const MonitorConfiguration& configuration_;
   const OnPass& on_pass_;
-  Result found_;
+  Values at_{};   ///< where the last pass was linearised
+  Result found_;  ///< by that pass
   Shares share_{kLeastShare, kLeastShare};
   bool has_settled_ = false;
   int passes_ = 0;

@@ -178,7 +178,7 @@ ParameterResult answered(const AxisEstimate& e, std::size_t index, const Machine
   ParameterResult result = unanswered(value, machine, "");
   result.is_identifiable = is_told(e, index);
   result.reason = result.is_identifiable ? assumption_of(e, index) : reason_for(e, index);
-  if (result.is_identifiable || (fits(e) && deviation < kShown)) {
+  if (result.is_identifiable || (fits(e) && e.has_settled && deviation < kShown)) {
     result.refit = e.value[index];
     result.standard_error = e.value[index] * deviation;
   }

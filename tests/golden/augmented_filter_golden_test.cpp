@@ -165,13 +165,13 @@ class AugmentedStep {
 
   void predict_feed() {
     const auto friction = static_cast<Real>(machine_.feed.viscous_friction_ns_m);
-    const auto [kept, per_acceleration] = FeedResponse<Real>(friction / mass_, h());
+    const FeedResponse<Real> response(friction / mass_, h());
     const Real pushed = real("u", 2) * static_cast<Real>(machine_.feed.engagement) * contact_force_;
     const Real force = real("u", 1) - friction * v_ - pushed -
                        real("u", 2) * static_cast<Real>(machine_.feed.contact_offset_n);
-    kept_ = kept;
-    feed_g_ = {-force / mass_ * per_acceleration, -pushed / mass_ * per_acceleration};
-    feed_change_ = force / mass_ * per_acceleration;
+    kept_ = response.kept;
+    feed_g_ = {-force / mass_ * response.per_acceleration, -pushed / mass_ * response.per_acceleration};
+    feed_change_ = force / mass_ * response.per_acceleration;
   }
 
   /// The factors of a covariance whose element k is `order[k]` of the golden one, behind `ahead` that are 0.
