@@ -146,7 +146,7 @@ kinematics::JointVector<double> forward_joints(const KinematicsArguments& argume
   }
   kinematics::JointVector<double> joints{};
   std::copy(arguments.forward.begin(), arguments.forward.end(), joints.begin());
-  if (const std::string outside = outside_limits(chain.table, joints); !outside.empty())
+  if (const std::string outside = outside_limits(chain.table, joints, 0.0); !outside.empty())
     throw UserError(fmt::format("the joints cannot be there: {}", outside));
   return joints;
 }

@@ -7,11 +7,12 @@
 namespace morepro::host {
 namespace {
 
-constexpr int kMostSteps = 20;
-constexpr double kLargestStep = 0.7;        // of a logarithm
-constexpr double kShortestStep = 0.1;       // of a proposed one
-constexpr double kLearntOnLine = 0.1;       // standard deviation
-constexpr double kSmallStep = 0.5;          // of a standard error
+constexpr int kMostSteps = 60;         // slow sampling needs many: its slopes are rough
+constexpr double kLargestStep = 0.7;   // of a logarithm
+constexpr double kShortestStep = 0.1;  // of a proposed one
+constexpr double kLearntOnLine = 0.1;  // standard deviation
+constexpr double kSmallStep =
+    0.1;  // of a standard error: of steps that shrink by a quarter, the rest is three times that
 constexpr double kVague = 0.05;             // what is known no better need not stand still
 constexpr double kWorthIt = 3.0;            // log-likelihood that a larger process noise must bring
 constexpr std::size_t kNoiseRows = 100000;  // tell the process noise well enough

@@ -98,7 +98,11 @@ bool fits(const AxisEstimate& e) { return e.correlation < kColoured; }
 std::string reason_for(const AxisEstimate& e, std::size_t index) {
   if (!fits(e)) return "the model does not fit the recording; 'morepro diagnose' tells what it lacks";
   const char* advice = excitation_for(e.names[index]);
-  if (!e.has_settled) return fmt::format("the estimate does not settle; it needs {}", advice);
+  if (!e.has_settled)
+    return fmt::format(
+        "the estimate does not settle; 'morepro diagnose' tells what the model lacks; where it "
+        "lacks nothing, sample faster or excite more: {}",
+        advice);
   const std::size_t partner = partner_of(e, index);
   const double deviation = deviation_of(e, index);
   if (partner != index)

@@ -20,7 +20,7 @@ JointVector<double> built_in_joints(const ChainDescription& chain, const Waypoin
   if (pose.angles_rad(1) != 0.0 || pose.angles_rad(2) != 0.0)
     throw UserError("this machine cannot tilt its tool; pitch and yaw must be 0");
   const auto joints = inverse_of(chain.geometry, RollPose<double>{pose.position_m, pose.angles_rad(0)});
-  if (const std::string outside = outside_limits(chain.table, joints); !outside.empty())
+  if (const std::string outside = outside_limits(chain.table, joints, kJointRounding); !outside.empty())
     throw UserError(fmt::format("the pose is out of reach: {}", outside));
   return joints;
 }

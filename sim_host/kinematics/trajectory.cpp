@@ -143,11 +143,13 @@ class ReachCheck {
     const bool is_at_point = segment != segment_ || is_last;
     const std::size_t goal = is_at_point && !is_last ? segment : segment + 1;
     segment_ = segment;
-    if (const std::string outside = outside_limits(job_.chain.table, row.joints); !outside.empty())
+    const double error = row.error.norm();
+    if (const std::string outside = outside_limits(job_.chain.table, row.joints,
+                                                   std::min(error, job_.inverse.tolerance) + kJointRounding);
+        !outside.empty())
       refuse(row, goal, outside);
     if (const std::string off = off_along_still(mobility_, row.error, job_.inverse.tolerance); !off.empty())
       refuse(row, goal, off);
-    const double error = row.error.norm();
     if ((is_damped || is_at_point) && !(error <= job_.inverse.tolerance))
       refuse(row, goal, off_by(error, is_damped));
   }

@@ -114,6 +114,12 @@ class Trajectories(ProgramTest):
             self.assertGreater(predicted, 0)
             self.assertAlmostEqual(row[f"error_{axis}_m"], predicted, delta=0.01 * predicted)
 
+    def test_a_target_on_a_limit_of_a_joint_is_reached(self):
+        self.write("path.csv", "x_m,y_m,z_m,duration_s\n0.1,0,0.4,\n0.1,0,1.4,2\n")
+        for method in ("closed_form", "clik"):
+            self.must_do("kinematics", "path.csv", "--method", method, "--out", "j.csv")
+            self.assertAlmostEqual(rows_of(self.folder / "j.csv")[-1]["d1_m"], 1.0, delta=1e-4)
+
     def test_a_planar_arm_follows_its_path(self):
         self.write("arm.toml", PLANAR_ARM)
         self.write("path.csv", "x_m,y_m,z_m,duration_s\n0.5,0.2,0,\n0.6,-0.3,0,1\n")
