@@ -10,7 +10,6 @@ namespace {
 constexpr int kMostSteps = 60;         // slow sampling needs many: its slopes are rough
 constexpr double kLargestStep = 0.7;   // of a logarithm
 constexpr double kShortestStep = 0.1;  // of a proposed one
-constexpr double kLearntOnLine = 0.1;  // standard deviation
 constexpr double kSmallStep =
     0.1;  // of a standard error: of steps that shrink by a quarter, the rest is three times that
 constexpr double kVague = 0.05;             // what is known no better need not stand still
@@ -35,7 +34,6 @@ class Search {
   }
 
   AxisEstimate run() {
-    start();
     settle();
     if (choose_process_noise()) settle();
     return estimate();
@@ -44,43 +42,10 @@ class Search {
  private:
   using Result = typename Pass::Result;
 
-  /// From the datasheet, or from what the board's pass learnt, whichever explains the recording better: on
-  /// line a value that is not learnt may wander anywhere.
-  void start() {
-    const Values datasheet = at_;
-    found_ = pass(share_, signals_.rows);
-    at_ = learnt_on_line(datasheet);
-    Result other = pass(share_, signals_.rows);
-    if (other.log_likelihood > found_.log_likelihood)
-      found_ = std::move(other);
-    else
-      at_ = datasheet;
-  }
-
-  /// The board's pass. What it does not find stays the datasheet's.
-  Values learnt_on_line(const Values& datasheet) {
-    using OnLinePass = AxisPass<Traits, OnLine>;
-    count_pass();
-    typename OnLinePass::Values from{};
-    std::copy_n(datasheet.begin(), from.size(), from.begin());
-    const double share = Traits::kOnLineShare;
-    const auto first = OnLinePass(signals_, configuration_, signals_.rows).run(from, {share, share});
-    Values learnt = datasheet;
-    for (std::size_t j = 0; j < from.size(); ++j) {
-      const auto k = static_cast<Eigen::Index>(j);
-      if (first.covariance(k, k) < kLearntOnLine * kLearntOnLine) learnt[j] = first.value[j];
-    }
-    return learnt;
-  }
-
-  void count_pass() {
-    ++passes_;
-    on_pass_();
-  }
-
   /// Linearised at the present values.
   Result pass(const Shares& share, std::size_t rows) {
-    count_pass();
+    ++passes_;
+    on_pass_();
     return Pass(signals_, configuration_, rows).run(at_, share);
   }
 

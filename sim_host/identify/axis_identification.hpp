@@ -24,9 +24,9 @@ struct AxisEstimate {
   int passes = 0;
 };
 
-/// Finds the values of one axis: a pass of the board's filter from the datasheet, then Gauss-Newton passes
-/// that are linearised at the values found so far, with the process noise under which the innovations are
-/// most likely. The axis's viscous friction is one of them, the last, where the datasheet has one.
+/// Finds the values of one axis: passes of the board's filter as Gauss-Newton steps from the datasheet, each
+/// linearised at the values found so far, with the process noise under which the innovations are most likely.
+/// The axis's viscous friction is one of them, the last, where the datasheet has one.
 template <class Traits>
 AxisEstimate identify_axis(const RecordingSignals& signals, const MonitorConfiguration& configuration,
                            const OnPass& on_pass);

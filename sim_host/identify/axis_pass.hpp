@@ -65,10 +65,10 @@ class AxisPass {
   AxisPass(const RecordingSignals& signals, const MonitorConfiguration& configuration, std::size_t rows)
       : signals_(signals), configuration_(configuration), rows_(rows), traits_(configuration) {}
 
-  /// Linearised or started at `anchor`. `process_share`: process noise per step as a share of each sensor's
+  /// Linearised at `anchor`. `process_share`: process noise per step as a share of each sensor's
   /// variance.
   Result run(const Values& anchor, const std::array<double, 2>& process_share) {
-    Filter filter(configuration_.machine, 1.0 / signals_.rate_hz, kDatasheetFraction, kDrift);
+    Filter filter(configuration_.machine, 1.0 / signals_.rate_hz, kDatasheetFraction, 0.0);
     filter.anchor_at(anchor);
     std::array<double, 2> process{};
     for (std::size_t k = 0; k < 2; ++k) process[k] = process_share[k] * traits_.variance[k];
@@ -80,16 +80,13 @@ class AxisPass {
     for (std::size_t row = 0; row < rows_; ++row) {
       const gap::GapFrame<double> frame = source.next();
       const bool moves = is_moving(motion, frame);
-      const bool may_learn = Mode::kIsAnchored || moves;
-      if (unmeasured >= kMostUnmeasured || !may_learn) {
-        if (Traits::is_complete(frame)) filter.restart_state(traits_.measurement(frame));
-        unmeasured = may_learn && Traits::is_complete(frame) ? 0 : kMostUnmeasured;
-      } else {
-        if constexpr (Mode::kIsAnchored) filter.hold(!moves);
+      if (unmeasured < kMostUnmeasured) {
+        filter.hold(!moves);
         traits_.template predict<Mode>(filter, held, process);
-        if constexpr (!Mode::kIsAnchored)
-          filter.drift(static_cast<typename Traits::Name>(row % kCount), kCount);
         unmeasured = update(filter, frame, tally) ? 0 : unmeasured + 1;
+      } else if (Traits::is_complete(frame)) {
+        filter.restart_state(traits_.measurement(frame));
+        unmeasured = 0;
       }
       held = frame.input;
     }
@@ -101,13 +98,11 @@ class AxisPass {
 
   /// After so many frames without a sample the state starts anew.
   static constexpr std::size_t kMostUnmeasured = 20;
-  static constexpr double kDrift = 2.0e-5;  ///< as on the board
 
-  /// Anchored, a recording rests until it is seen to move; on line, the board's rule.
+  /// A recording rests until it is seen to move.
   bool is_moving(std::optional<typename Traits::Motion>& motion, const gap::GapFrame<double>& frame) const {
     if (!motion && !Traits::is_complete(frame)) return false;
-    if (!motion && Mode::kIsAnchored) motion.emplace(frame);
-    if (!motion) motion.emplace();
+    if (!motion) motion.emplace(frame);
     if (Traits::is_complete(frame)) motion->take(traits_, frame);
     return motion->is_moving();
   }
@@ -116,9 +111,8 @@ class AxisPass {
     const auto measured = Traits::measured(frame);
     if (!measured[0] && !measured[1]) return false;
     filter.update(traits_.measurement(frame));
-    if constexpr (Mode::kIsAnchored)
-      for (std::size_t k = 0; k < 2; ++k)
-        if (measured[k]) tally.take(k, filter.record().normalised[k], filter.record().log_variance[k]);
+    for (std::size_t k = 0; k < 2; ++k)
+      if (measured[k]) tally.take(k, filter.record().normalised[k], filter.record().log_variance[k]);
     return true;
   }
 

@@ -30,10 +30,6 @@ struct SpindleTraits {
                                       MachineValue::kInductance,      MachineValue::kResistance,
                                       MachineValue::kBackEmfConstant, MachineValue::kSpindleFriction};
 
-  /// Process noise of an on-line pass, as a share of the sensors' variances: that filter takes its own share
-  /// of them.
-  static constexpr double kOnLineShare = 1.0;
-
   explicit SpindleTraits(const MonitorConfiguration& c)
       : law(c.machine),
         variance{c.sensors[Channel::kSpindleSpeed].variance(),
@@ -59,7 +55,6 @@ struct SpindleTraits {
 
   /// Does something move that a filter may learn from?
   struct Motion {
-    Motion() = default;
     explicit Motion(const gap::GapFrame<double>& rest) : speed(rest.speed_rad_s), current(rest.current_a) {}
     void take(const SpindleTraits& traits, const gap::GapFrame<double>& frame) {
       speed.step(frame.speed_rad_s, std::sqrt(traits.variance[0]));
@@ -81,8 +76,6 @@ struct FeedTraits {
   using Name = FeedParameter;
   static constexpr std::array kValues{MachineValue::kMass, MachineValue::kContactForce,
                                       MachineValue::kFeedFriction};
-
-  static constexpr double kOnLineShare = 1.0e-3;
 
   explicit FeedTraits(const MonitorConfiguration& c)
       : variance{c.sensors[Channel::kFeedPosition].variance(), c.sensors[Channel::kFeedSpeed].variance()} {}
@@ -107,7 +100,6 @@ struct FeedTraits {
   }
 
   struct Motion {
-    Motion() = default;
     explicit Motion(const gap::GapFrame<double>& rest)
         : force(rest.input.feed_force_n), contact(rest.input.contact), path(way(rest)) {}
     void take(const FeedTraits& traits, const gap::GapFrame<double>& frame) {

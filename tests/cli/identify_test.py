@@ -75,6 +75,11 @@ class Results(Identify):
         self.assertIn("nothing was identified", error)
         self.assertEqual(self.files(), ["run.csv"])
 
+    def test_slow_sampling_is_as_honest(self):
+        self.simulate("--rate", 1000, duration=10)
+        for entry in self.identify()[0]["parameters"]:
+            self.assertLess(abs(entry["refit"] - TRUE[entry["name"]]), 4 * entry["standard_error"], entry)
+
     def test_a_person_can_read_it(self):
         self.simulate(duration=1)
         text = self.must_do("identify", "run.csv", "--machine", "sheet.toml").stdout
