@@ -41,6 +41,9 @@ constexpr bool is_friction(MachineValue value) { return value >= MachineValue::k
 /// Its key in a machine file.
 std::string_view name_of(MachineValue value);
 
+/// What a recording must hold so that it can be told.
+const char* excitation_for(MachineValue value);
+
 /// Where a machine keeps it.
 double& value_in(MachineParameters& machine, MachineValue value);
 double value_in(const MachineParameters& machine, MachineValue value);

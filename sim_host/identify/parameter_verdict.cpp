@@ -114,30 +114,6 @@ std::string reason_for(const AxisEstimate& e, std::size_t index) {
 
 }  // namespace
 
-const char* excitation_for(MachineValue value) {
-  switch (value) {
-    case MachineValue::kTorqueConstant:
-      return "currents under a known load, such as contact on and off";
-    case MachineValue::kInertia:
-      return "speeds that change, such as steps of the voltage";
-    case MachineValue::kMass:
-      return "steps of the feed force";
-    case MachineValue::kContactForce:
-      return "contact on and off";
-    case MachineValue::kInductance:
-      return "steps of the voltage, sampled several times within L/R";
-    case MachineValue::kResistance:
-      return "currents that vary apart from the speed, such as contact on and off";
-    case MachineValue::kBackEmfConstant:
-      return "speeds that vary apart from the current, such as contact on and off";
-    case MachineValue::kSpindleFriction:
-      return "several speeds, in the air and in the cut";
-    case MachineValue::kFeedFriction:
-      return "several feed speeds";
-  }
-  return "";
-}
-
 std::string obstacle_to(MachineValue value, IdentificationFilter filter, const RecordingSignals& signals,
                         const MachineDescription& machine) {
   const bool is_described = !is_of_feed(value) ? machine.has_spindle : machine.has_feed;

@@ -23,7 +23,4 @@ ParameterResult answered(const AxisEstimate& estimate, std::size_t index, const 
 /// Is number `index` known well enough to be used?
 bool is_told(const AxisEstimate& estimate, std::size_t index);
 
-/// What a recording must hold so that a parameter can be told.
-const char* excitation_for(MachineValue value);
-
 }  // namespace morepro::host

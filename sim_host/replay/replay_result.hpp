@@ -66,7 +66,7 @@ struct ReplayResult {
   [[nodiscard]] double frames_per_s() const { return static_cast<double>(frames) / elapsed_s; }
 };
 
-/// "" where the parameter was identified, else one clause that says why not.
+/// "" where the parameter was identified, else why not, and what would excite it.
 std::string reason_of(const ReplayResult& result, Parameter parameter);
 /// Does the machine file say something about the parameter?
 bool is_described(const ReplayResult& result, Parameter parameter);

@@ -1,9 +1,12 @@
 #include "sim_host/replay/result_collector.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
 #include "lib/monitor/reason.hpp"
+#include "sim_host/identify/machine_value.hpp"
 #include "sim_host/recording/recording_time.hpp"
 #include "sim_host/replay/names.hpp"
 
@@ -27,7 +30,12 @@ bool is_described(const ReplayResult& result, Parameter parameter) {
 
 std::string reason_of(const ReplayResult& result, Parameter parameter) {
   if (!is_described(result, parameter)) return "the machine file does not describe it";
-  return std::string(reason_of(result.last.parameters[index_of(parameter)].status));
+  const ParameterStatus status = result.last.parameters[index_of(parameter)].status;
+  const std::string reason(reason_of(status));
+  const bool excites_too_little =
+      status == ParameterStatus::kNoExcitation || status == ParameterStatus::kCorrelated;
+  return excites_too_little ? fmt::format("{}; it needs {}", reason, excitation_for(value_of(parameter)))
+                            : reason;
 }
 
 Health verdict_of(const ReplayResult& result) {
