@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lib/plant/contact_law.hpp"
 #include "sim_host/cli/command.hpp"
 #include "sim_host/diagnose/recording_loader.hpp"
 #include "sim_host/identify/identification.hpp"
@@ -41,6 +43,21 @@ struct IdentifyArguments {
   std::string progress = "auto";
 };
 
+/// Rows of the cut whose chip load the contact law was not fitted for.
+std::size_t rows_outside_law(const RecordingSignals& signals, const MachineDescription& machine) {
+  if (!machine.has_contact || !signals.has(Channel::kContact) || !signals.has(Channel::kChipLoad)) return 0;
+  const auto& contact = signals.value[index_of(Channel::kContact)];
+  const auto& chip_load = signals.value[index_of(Channel::kChipLoad)];
+  std::size_t outside = 0;
+  for (std::size_t row = 0; row < signals.rows; ++row) {
+    const double chip_load_mm = static_cast<double>(chip_load[row]);
+    if (contact[row] > 0.5F && !std::isnan(chip_load_mm) &&
+        !is_inside_contact_range(machine.configuration.machine, chip_load_mm))
+      ++outside;
+  }
+  return outside;
+}
+
 /// What the answer rests on and nobody measured.
 void note_assumptions(const RecordingSignals& signals, const MachineDescription& machine) {
   if (!machine.effects.empty())
@@ -54,6 +71,12 @@ void note_assumptions(const RecordingSignals& signals, const MachineDescription&
   }
   if (machine.has_contact && signals.has(Channel::kSpindleSpeed) && !signals.has(Channel::kChipLoad))
     warn("chip_load_mm is not recorded; the machine's nominal one is taken for the torque of the cut");
+  if (const std::size_t rows = rows_outside_law(signals, machine); rows > 0)
+    warn(
+        fmt::format("chip_load_mm is outside the range of the contact law in {} rows of the cut; the torque "
+                    "there is that "
+                    "of the nearest one inside, and what is balanced with it may be as wrong",
+                    rows));
   if (machine.has_feed && signals.has(Channel::kFeedForce) && !signals.has(Channel::kEngagement))
     warn("engagement is not recorded; the machine's nominal one is taken for the force of the cut");
 }

@@ -80,6 +80,17 @@ class Results(Identify):
         for entry in self.identify()[0]["parameters"]:
             self.assertLess(abs(entry["refit"] - TRUE[entry["name"]]), 4 * entry["standard_error"], entry)
 
+    def test_a_chip_load_outside_the_law_is_said(self):
+        self.simulate(duration=1)
+        path = self.folder / "run.csv"
+        text = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+        rows = [dict(row, chip_load_mm="0.5") for row in csv.DictReader(text)]
+        self.write("far.csv", "\n".join([text[0]] + [",".join(row.values()) for row in rows]) + "\n")
+        outside = sum(float(row["contact"]) > 0.5 for row in rows)
+        done = self.must_do("identify", "far.csv", "--machine", "sheet.toml")
+        self.assertIn(f"outside the range of the contact law in {outside} rows of the cut", done.stderr)
+        self.assertNotIn("outside the range", self.must_do("identify", "run.csv", "--machine", "sheet.toml").stderr)
+
     def test_a_person_can_read_it(self):
         self.simulate(duration=1)
         text = self.must_do("identify", "run.csv", "--machine", "sheet.toml").stdout
