@@ -53,10 +53,11 @@ class Fit {
     sensitivity_ = Matrix::Zero();
     sum_ = Vector::Zero();
     spread_ = Matrix::Zero();
-    Matrix neighbours = Matrix::Zero();
+    Matrix own = Matrix::Zero(), shared = Matrix::Zero();
     DerivativeSource source(signals_, machine_, balance_);
-    Vector piece = Vector::Zero(), last_pull = Vector::Zero();
-    double square = 0.0, product = 0.0;
+    Vector piece = Vector::Zero(), last_z = Vector::Zero();
+    double square = 0.0, neighbour = 0.0, product = 0.0;
+    std::size_t count = 0;
     std::array<double, 2> last{};
     const std::size_t length = signals_.rows / kPieces + 1;
     for (std::size_t row = 0; source.next(); ++row) {
@@ -69,16 +70,18 @@ class Fit {
       const double residual = sample->derivative - now.derivative;
       const Eigen::Map<const Vector> z(instrument.slope.data()), slope(now.slope.data());
       sensitivity_ += z * slope.transpose();
-      const Vector pull = z * residual;
-      piece += pull;
-      neighbours += pull * (pull + last_pull).transpose() + last_pull * pull.transpose();
-      last_pull = pull;
+      piece += z * residual;
+      own += z * z.transpose();
+      shared += z * last_z.transpose() + last_z * z.transpose();
+      last_z = z;
+      ++count;
       square += residual * residual;
+      neighbour += residual * last[0];
       product += residual * last[1];  // differences have noise in common with their neighbours
       last = {residual, last[0]};
     }
     close(piece);
-    widen(neighbours);
+    if (count > 0) widen((square * own + neighbour * shared) / static_cast<double>(count));
     correlation_ = square > 0.0 ? std::max(product / square, 0.0) : 0.0;
   }
 
@@ -88,8 +91,8 @@ class Fit {
     piece.setZero();
   }
 
-  /// Where a few pieces hold all of the information they fit by construction and show no spread: at least
-  /// that of residuals of which only neighbours have noise in common.
+  /// Where a few rows hold all of the information they fit by construction and show no spread: at least that
+  /// of residuals as large as all of them, of which only neighbours have noise in common.
   void widen(const Matrix& least) {
     const Eigen::SelfAdjointEigenSolver<Matrix> more(least - spread_);
     for (int k = 0; k < kAll; ++k) {
