@@ -74,8 +74,7 @@ void note_assumptions(const RecordingSignals& signals, const MachineDescription&
   if (const std::size_t rows = rows_outside_law(signals, machine); rows > 0)
     warn(
         fmt::format("chip_load_mm is outside the range of the contact law in {} rows of the cut; the torque "
-                    "there is that "
-                    "of the nearest one inside, and what is balanced with it may be as wrong",
+                    "there is that of the nearest one inside, and what is balanced with it may be as wrong",
                     rows));
   if (machine.has_feed && signals.has(Channel::kFeedForce) && !signals.has(Channel::kEngagement))
     warn("engagement is not recorded; the machine's nominal one is taken for the force of the cut");
