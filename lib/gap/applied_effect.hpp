@@ -48,9 +48,9 @@ class AppliedTerm {
  public:
   AppliedTerm() = default;
   AppliedTerm(const AppliedEffect& effect, const EffectScales<Real>& scales, double step_s)
-      : onset_{static_cast<Real>(effect.onset_s)}, parts_(effect.form.parts) {
+      : scales_(scales), onset_{static_cast<Real>(effect.onset_s)}, parts_(effect.form.parts) {
     for (std::size_t i = 0; i < parts_; ++i) {
-      term_[i] = EffectTerm<Real, kDelaySteps>(effect.form, static_cast<int>(i), scales, step_s);
+      term_[i] = EffectTerm<Real, kDelaySteps>(effect.form, static_cast<int>(i), step_s);
       coefficient_[i] = static_cast<Real>(effect.coefficient[i]);
     }
   }
@@ -60,7 +60,7 @@ class AppliedTerm {
     const Real share = onset_.has_come(signals) ? Real(1) : Real(0);
     const EffectSignals<Real> since = onset_.since(signals);
     for (std::size_t i = 0; i < parts_; ++i) {
-      const Contribution<Real> one = term_[i].step(since);
+      const Contribution<Real> one = term_[i].step(since, scales_);
       const Real gain = share * coefficient_[i];
       sum.torque_nm += gain * one.torque_nm;
       sum.force_n += gain * one.force_n;
@@ -72,6 +72,7 @@ class AppliedTerm {
   }
 
  private:
+  EffectScales<Real> scales_;
   std::array<EffectTerm<Real, kDelaySteps>, kMostParts> term_{};
   std::array<Real, kMostParts> coefficient_{};
   Onset<Real> onset_;

@@ -25,7 +25,7 @@ class ColumnSet {
   bool add(const EffectForm& form) {
     if (terms_ + form.parts > kMostTerms) return false;
     for (int part = 0; part < form.parts; ++part)
-      term_[terms_++] = EffectTerm<Real, kDelaySteps>(form, part, scales_, step_s_);
+      term_[terms_++] = EffectTerm<Real, kDelaySteps>(form, part, step_s_);
     return true;
   }
   /// The same for one that sets in at `onset_s`.
@@ -88,14 +88,14 @@ class ColumnSet {
       if constexpr (kHasOnsets)
         visit(j, acts ? late_step(j, signals) : Contribution<Real>{});
       else
-        visit(j, acts ? term_[j].step(signals) : Contribution<Real>{});
+        visit(j, acts ? term_[j].step(signals, scales_) : Contribution<Real>{});
     }
   }
 
  private:
   Contribution<Real> late_step(std::size_t j, const EffectSignals<Real>& signals) {
     const bool is_on = onset_[j].has_come(signals);
-    const Contribution<Real> one = term_[j].step(onset_[j].since(signals));
+    const Contribution<Real> one = term_[j].step(onset_[j].since(signals), scales_);
     return is_on ? one : Contribution<Real>{};
   }
 

@@ -18,24 +18,24 @@ class EffectTerm {
  public:
   EffectTerm() = default;
   /// 0 <= part < form.parts; step_s > 0.
-  EffectTerm(const EffectForm& form, int part, const EffectScales<Real>& scales, double step_s)
-      : form_(form), part_(part), scales_(scales), step_s_(static_cast<Real>(step_s)) {
+  EffectTerm(const EffectForm& form, int part, double step_s)
+      : form_(form), part_(part), step_s_(static_cast<Real>(step_s)) {
     start(form.shape, step_s);
   }
 
   [[nodiscard]] const EffectForm& form() const { return form_; }
   [[nodiscard]] int part() const { return part_; }
 
-  /// What the effect adds during one step, for a coefficient of one.
-  Contribution<Real> step(const EffectSignals<Real>& s) {
+  /// What the effect adds during one step, for a coefficient of one; `k`: the machine's.
+  Contribution<Real> step(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
     switch (form_.effect) {
       case Effect::kShaftCompliance:
-        return {.torque_nm = scales_.inertia_kgm2 * resonance_(s.acceleration_rad_s2)};
+        return {.torque_nm = k.inertia_kgm2 * resonance_(s.acceleration_rad_s2)};
       case Effect::kDriveLag:
       case Effect::kFeedDriveLag:
         return lagging(s);
       case Effect::kFeedBacklash:
-        return {.force_n = in_play(s)};
+        return {.force_n = in_play(s, k)};
       case Effect::kFeedPresliding:
         return {.force_n = -bristle_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape))};
       case Effect::kSpindleSpeedDelay:
@@ -49,13 +49,13 @@ class EffectTerm {
       case Effect::kCurrentBandwidth:
         return {.current_a = lag_.end(s.driven_current_a) - s.driven_current_a};
       case Effect::kUnnamedTorque:
-        return {.torque_nm = unnamed(s)};
+        return {.torque_nm = unnamed(s, k)};
       case Effect::kUnnamedVoltage:
-        return {.voltage_v = unnamed(s)};
+        return {.voltage_v = unnamed(s, k)};
       case Effect::kUnnamedForce:
-        return {.force_n = unnamed(s)};
+        return {.force_n = unnamed(s, k)};
       default:
-        return by_law(s);
+        return by_law(s, k);
     }
   }
 
@@ -79,23 +79,20 @@ class EffectTerm {
   }
 
   /// Effects of one group never act elsewhere, but for those of the flux, which act on voltage and torque.
-  Contribution<Real> by_law(const EffectSignals<Real>& s) const {
-    if (form_.effect < Effect::kFeedCoulombFriction)
-      return {.torque_nm = laws::torque(form_, part_, s, scales_)};
-    if (form_.effect < Effect::kBrushVoltageDrop) return {.force_n = laws::force(form_, part_, s, scales_)};
+  Contribution<Real> by_law(const EffectSignals<Real>& s, const EffectScales<Real>& k) const {
+    if (form_.effect < Effect::kFeedCoulombFriction) return {.torque_nm = laws::torque(form_, part_, s, k)};
+    if (form_.effect < Effect::kBrushVoltageDrop) return {.force_n = laws::force(form_, part_, s, k)};
     if (form_.effect < Effect::kSpindleSpeedBias)
-      return {.torque_nm = laws::torque(form_, part_, s, scales_),
-              .voltage_v = laws::voltage(form_, s, scales_)};
+      return {.torque_nm = laws::torque(form_, part_, s, k), .voltage_v = laws::voltage(form_, s, k)};
     return {.speed_rad_s = laws::speed_error(form_, part_, s), .current_a = laws::current_error(form_, s)};
   }
 
   /// Drive and slide have half of the mass each. What the slide is braked with drives the two apart like the
   /// force on the drive; by half of that the drive is faster than both together. Part 1 is what the brake
   /// does of it: with other masses the two count differently.
-  Real in_play(const EffectSignals<Real>& s) {
-    const Real per_half_mass = Real(2) / scales_.mass_kg;
-    const Real brake_n =
-        scales_.feed_viscous_friction_ns_m * s.feed_speed_m_s + s.contact * scales_.contact_load_n;
+  Real in_play(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+    const Real per_half_mass = Real(2) / k.mass_kg;
+    const Real brake_n = k.feed_viscous_friction_ns_m * s.feed_speed_m_s + s.contact * k.contact_load_n;
     const Real apart_n = s.feed_force_n + brake_n;
     const Real change_m_s = play_(apart_n * per_half_mass, (part_ == 0 ? apart_n : brake_n) * per_half_mass,
                                   static_cast<Real>(form_.shape), step_s_);
@@ -103,9 +100,9 @@ class EffectTerm {
   }
 
   /// kind: number of the law; a shape is a time constant, through which the law is seen.
-  Real unnamed(const EffectSignals<Real>& s) {
-    const Real value = form_.effect == Effect::kUnnamedForce ? laws::unnamed_feed(form_.kind, s, scales_)
-                                                             : laws::unnamed_spindle(form_.kind, s, scales_);
+  Real unnamed(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+    const Real value = form_.effect == Effect::kUnnamedForce ? laws::unnamed_feed(form_.kind, s, k)
+                                                             : laws::unnamed_spindle(form_.kind, s, k);
     return form_.shape > 0.0F ? lag_.end(value) : value;
   }
 
@@ -116,7 +113,6 @@ class EffectTerm {
 
   EffectForm form_;
   int part_ = 0;
-  EffectScales<Real> scales_;
   Real step_s_ = 0;
   Real delay_steps_ = 0;
   Lag<Real> lag_;

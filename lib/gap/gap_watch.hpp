@@ -16,14 +16,15 @@ namespace morepro::gap {
 template <class Real>
 class GapWatch {
  public:
-  using Spindle = SpindleObserver<Real, terms_of(kSpindleForms), 0, kBoardDelaySteps>;
-  using Feed = FeedObserver<Real, terms_of(kFeedForms), 0, kBoardDelaySteps>;
+  using Spindle =
+      SpindleObserver<Real, terms_of(kSpindleForms) + MachineForms::kMostParts, 0, kBoardDelaySteps>;
+  using Feed = FeedObserver<Real, terms_of(kFeedForms) + MachineForms::kMostParts, 0, kBoardDelaySteps>;
   using SpindleAxis = GapWatchAxis<Real, Spindle, kSpindleParameters, kSpindleForms.size()>;
   using FeedAxis = GapWatchAxis<Real, Feed, kFeedParameters, kFeedForms.size()>;
 
-  /// step_s > 0: sampling interval of the frames.
-  GapWatch(const MachineParameters& machine, const ReferencePoint& point, double step_s,
-           const GapSettings& settings)
+  /// step_s > 0: sampling interval of the frames. Cold: small instead of fast.
+  [[gnu::cold]] GapWatch(const MachineParameters& machine, const ReferencePoint& point, double step_s,
+                         const GapSettings& settings)
       : spindle_(machine, point, step_s, noise_of(settings.noise), kSpindleForms,
                  {kSpread, kSpread, kSpread, kSpread, kSpread, kSpread}, settings.spindle),
         feed_(machine, point, step_s, noise_of(settings.noise), kFeedForms,
@@ -88,12 +89,12 @@ class GapWatch {
   // The observer's columns forget how it began within the settling time; then every frame gives a row, of
   // either sensor in turn.
   static constexpr std::size_t kSettling = 144;
-  static constexpr std::size_t kStretch = kSettling + 128;
+  static constexpr std::size_t kStretch = kSettling + 112;
   static constexpr std::size_t kPieces = 4 * kStretch;  ///< two halves of each frame for each of two axes
   // Long enough for all pieces, all columns of the rows and the judgement, 7.2 k frames. The rest is of
   // random length, or a machine that repeats itself would show the same moment of its cycle again and again.
   // A stretch of 27 ms every 1.13 s at 10 kHz: more would not fit beside the monitor.
-  static constexpr std::size_t kShortestRest = 9000;
+  static constexpr std::size_t kShortestRest = 9600;
   static constexpr unsigned kRandomRestBits = 12;
   // How far a datasheet may be off, as a standard deviation.
   static constexpr Real kSpread = Real(0.5);

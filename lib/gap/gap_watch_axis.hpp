@@ -23,19 +23,17 @@ template <class Real, class Observer, std::size_t kParameters, std::size_t kForm
 class GapWatchAxis {
  public:
   static constexpr std::size_t kColumns = Observer::kColumns;
-  using Evaluation = GapWatchEvaluation<Real, kParameters, kForms, kColumns>;
+  using Evaluation = GapWatchEvaluation<Real, kParameters, kForms + MachineForms::kMost, kColumns>;
   using Statistics = typename Evaluation::Statistics;
 
   /// `spread`: standard deviation of each parameter column, as well as the datasheet knows it.
-  GapWatchAxis(const MachineParameters& machine, const ReferencePoint& point, double step_s,
-               const GapNoise<Real>& noise, const std::array<BoardForm, kForms>& forms,
-               const std::array<Real, kParameters>& spread, const GapLimits& limits)
+  [[gnu::cold]] GapWatchAxis(const MachineParameters& machine, const ReferencePoint& point, double step_s,
+                             const GapNoise<Real>& noise, const std::array<BoardForm, kForms>& forms,
+                             const std::array<Real, kParameters>& spread, const GapLimits& limits)
       : observer_(machine, point, step_s, noise), evaluation_(spread, limits) {
-    for (BoardForm form : forms) {
-      if (!is_candidate(form.effect, machine)) form.parts = 0;
-      evaluation_.add(form);
-      observer_.terms().add(form.at(step_s));
-    }
+    for (const BoardForm& form : forms)
+      if (is_candidate(form.effect, machine) && !limits.forms.has(form.effect)) add(form.at(step_s));
+    for (std::size_t i = 0; i < limits.forms.count; ++i) add(limits.forms.form[i]);
   }
 
   Observer& observer() { return observer_; }
@@ -76,6 +74,11 @@ class GapWatchAxis {
   }
 
  private:
+  /// A form that finds no room is not looked for.
+  void add(const EffectForm& form) {
+    if (form.parts > 0 && observer_.terms().add(form)) evaluation_.add(form);
+  }
+
   // A row beyond this many standard deviations counts as one of them (Huber).
   static constexpr Real kHuber = 5;
   static constexpr Real kImpossible = Real(1.0e6);

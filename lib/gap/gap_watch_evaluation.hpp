@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "lib/gap/board_forms.hpp"
+#include "lib/gap/explained_columns.hpp"
 #include "lib/gap/gap_watch_finding.hpp"
 #include "lib/gap/square_root_statistics.hpp"
 
@@ -24,16 +25,19 @@ class GapWatchEvaluation {
         temperature_(static_cast<Real>(limits.temperature)),
         least_excitation_(static_cast<Real>(limits.excitation)) {}
 
-  /// The next form in the order of the columns; at most kForms. A form without parts has no column.
-  void add(const BoardForm& form) { forms_[form_count_++] = form; }
+  /// The next form in the order of the columns; at most kForms.
+  void add(const EffectForm& form) { forms_[form_count_++] = form; }
 
   void begin() {
     prior_ = {};
     draft_ = {};
+    explained_.clear();
+    explaining_ = explained_step_ = 0;
+    nameless_ = 0;
+    found_ = 0;
     copied_ = 0;
     next_ = 0;
-    column_ = kParameters;
-    best_ = kForms;
+    begin_ranking();
   }
 
   /// One step; true where the finding is complete. The statistics must not change between begin() and then.
@@ -41,13 +45,14 @@ class GapWatchEvaluation {
     if (copied_ < Statistics::kWidth) return copy(statistics);
     if (!prior_.is_done()) return turn_prior();
     if (next_ == 0) excitation_ = least_excitation();
-    if (next_ < kParameters)
-      expect_parameter(next_);
-    else if (next_ < kParameters + kForms)
-      judge_form(next_ - kParameters);
-    else
-      judge_alias(next_ - kParameters - kForms);
-    if (++next_ < kParameters + 2 * kForms) return false;
+    if (next_ < kParameters) {
+      expect_parameter(next_++);
+      return false;
+    }
+    if (explaining_ > 0) return explain();
+    if (ranked_ < form_count_) return rank(ranked_++);
+    if (found_ == 0 && compared_ < form_count_) return judge_alias(compared_++);
+    if (explains_more()) return false;
     conclude();
     return true;
   }
@@ -68,6 +73,8 @@ class GapWatchEvaluation {
   static constexpr Real kAllExplained = Real(1.15);
   // Of what is beyond noise: shapes that are not quite the machine's leave something.
   static constexpr Real kMostLeft = Real(0.5);
+  static constexpr Real kMostNameless = Real(0.2);
+  static constexpr std::size_t kMostFound = 4;
   static constexpr Real kLogOf20 = Real(2.9957323);
 
   [[nodiscard]] Real rows() const { return static_cast<Real>(statistics_.rows()); }
@@ -100,28 +107,63 @@ class GapWatchEvaluation {
     return false;
   }
 
-  void judge_form(std::size_t i) {
-    if (i == 0) {
+  void begin_ranking() {
+    ranked_ = 0;
+    compared_ = 0;
+    column_ = kParameters;
+    best_ = kForms;
+  }
+
+  bool rank(std::size_t i) {
+    if (i == 0) rest_ = explained_.left(statistics_, Statistics::kY, Statistics::kY);
+    if (i == 0 && found_ == 0) {
       whole_ = statistics_.residual(0);
-      rest_ = statistics_.residual(kParameters);
+      refitted_ = rest_;
     }
-    const BoardForm& form = forms_[i];
-    const GroupGain<Real> group = gain_of(statistics_, column_, form.parts, kParameters);
+    const EffectForm& form = forms_[i];
+    const GroupGain<Real> group = explained_.gain_of(statistics_, column_, form.parts);
     const bool is_possible = !acts_one_way(form.effect) || group.coefficient > Real(0);
     first_[i] = column_;
     column_ += form.parts;
     gain_[i] = group.gain;
-    evidence_[i] =
-        is_possible && form.parts > 0 ? evidence(rest_, rest_ - group.gain, Real(form.parts)) : Real(-1.0e30);
+    evidence_[i] = is_possible ? evidence(rest_, rest_ - group.gain, Real(form.parts)) : Real(-1.0e30);
     if (best_ == kForms || evidence_[i] > evidence_[best_]) best_ = i;
+    return false;
   }
 
-  void judge_alias(std::size_t i) {
-    if (draft_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return;
+  /// The best form counts as known where it is an effect; true where others have to be ranked anew then.
+  bool explains_more() {
+    if (found_ == 0) take_first();
+    if (!is_effect()) return false;
+    const EffectForm& form = forms_[best_];
+    rest_ -= gain_[best_];
+    if (!has_name(form.effect)) nameless_ += gain_[best_];
+    ++found_;
+    if (found_ == kMostFound || is_explained() || !explained_.has_room(form.parts)) return false;
+    explaining_ = form.parts;
+    return true;
+  }
+
+  bool explain() {
+    if (!explained_.explain(statistics_, first_[best_] + explaining_ - 1, explained_step_++)) return false;
+    explained_step_ = 0;
+    if (--explaining_ == 0) begin_ranking();
+    return false;
+  }
+
+  void take_first() {
+    draft_.effect = forms_[best_].effect;
+    draft_.where = group_of(draft_.effect);
+    draft_.evidence = static_cast<float>(evidence_[best_]);
+    draft_.confidence = static_cast<float>(confidence(evidence_[best_]));
+  }
+
+  bool judge_alias(std::size_t i) {
+    if (draft_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return false;
     const Real lead = evidence_[best_] - evidence_[i];
     const Real close = Real(2) * temperature_ * kLogOf20;
-    if (lead > close && !resembles_best(i)) return;
-    draft_.alias[draft_.alias_count++] = forms_[i].effect;
+    if (lead <= close || resembles_best(i)) draft_.alias[draft_.alias_count++] = forms_[i].effect;
+    return false;
   }
 
   [[nodiscard]] bool is_listed(Effect effect) const {
@@ -136,11 +178,8 @@ class GapWatchEvaluation {
 
   void conclude() {
     draft_.verdict = verdict();
-    draft_.effect = forms_[best_].effect;
-    draft_.where = group_of(draft_.effect);
-    draft_.evidence = static_cast<float>(draft_.verdict == GapVerdict::kParameterError ? parameter_evidence()
-                                                                                       : evidence_[best_]);
-    draft_.confidence = static_cast<float>(confidence(evidence_[best_]));
+    if (draft_.verdict == GapVerdict::kParameterError)
+      draft_.evidence = static_cast<float>(parameter_evidence());
     if (draft_.verdict != GapVerdict::kEffect) draft_.alias_count = 0;
     finding_ = draft_;
   }
@@ -148,20 +187,22 @@ class GapWatchEvaluation {
   [[nodiscard]] GapVerdict verdict() const {
     if (statistics_.rows() < kFewestRows) return GapVerdict::kNotEnoughData;
     if (!(excitation_ > least_excitation_)) return GapVerdict::kInsufficientExcitation;
-    if (is_effect()) return is_explained() ? GapVerdict::kEffect : GapVerdict::kUnexplained;
+    if (found_ > 0) return is_explained() ? GapVerdict::kEffect : GapVerdict::kUnexplained;
     if (parameter_evidence() > threshold_) return GapVerdict::kParameterError;
     return rest_ > kMostResidual * rows() ? GapVerdict::kUnexplained : GapVerdict::kNoGap;
   }
 
-  [[nodiscard]] Real parameter_evidence() const { return evidence(whole_, rest_, Real(kParameters)); }
+  [[nodiscard]] Real parameter_evidence() const { return evidence(whole_, refitted_, Real(kParameters)); }
+
+  static constexpr bool has_name(Effect effect) { return effect < Effect::kUnnamedTorque; }
 
   [[nodiscard]] bool is_explained() const {
-    const Real after = rest_ - gain_[best_];
-    return after < kAllExplained * rows() || after - rows() < kMostLeft * (rest_ - rows());
+    if (nameless_ > kMostNameless * (refitted_ - rows())) return false;
+    return rest_ < kAllExplained * rows() || rest_ - rows() < kMostLeft * (refitted_ - rows());
   }
 
   [[nodiscard]] bool is_effect() const {
-    return evidence_[best_] > threshold_ && gain_[best_] > kSecondOrder * (whole_ - rest_);
+    return evidence_[best_] > threshold_ && gain_[best_] > kSecondOrder * (whole_ - refitted_);
   }
 
   [[nodiscard]] Real confidence(Real best) const {
@@ -169,7 +210,7 @@ class GapWatchEvaluation {
     return Real(1) / (Real(1) + math::exp(std::clamp(-lead, Real(-40), Real(40))));
   }
 
-  std::array<BoardForm, kForms> forms_{};
+  std::array<EffectForm, kForms> forms_{};
   std::size_t form_count_ = 0;
   std::array<Real, kParameters> spread_;
   Real threshold_;
@@ -185,8 +226,16 @@ class GapWatchEvaluation {
   std::array<std::size_t, kForms> first_{};
   Real excitation_ = 0;
   Real whole_ = 0;
-  Real rest_ = 0;
+  Real refitted_ = 0;  ///< residual sum of squares with the parameters
+  Real rest_ = 0;      ///< and with the effects that were found
+  ExplainedColumns<Real, kColumns> explained_{kParameters};
+  Real nameless_ = 0;               ///< what functions without a name explain of it
+  std::size_t found_ = 0;           ///< effects
+  std::size_t explaining_ = 0;      ///< parts of the best form that are still to be explained
+  std::size_t explained_step_ = 0;  ///< of that part
   std::size_t next_ = 0;
+  std::size_t ranked_ = 0;    ///< forms
+  std::size_t compared_ = 0;  ///< forms
   std::size_t column_ = 0;
   std::size_t best_ = kForms;
 };

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lib/gap/effect.hpp"
+#include "lib/gap/effect_form.hpp"
 #include "lib/gap/effect_info.hpp"
 #include "lib/gap/gap_frame.hpp"
 
@@ -40,11 +41,27 @@ struct GapFinding {
   float evidence = 0.0F;                     ///< n ln(RSS without / RSS with) - dof ln n; of any verdict
 };
 
+/// Forms that this machine, or another one like it, was seen to have, instead of the board's own forms of the
+/// same effects; a form without parts only takes those away. Shapes in the unit of the law.
+struct MachineForms {
+  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMostParts = 4;  ///< of all together
+  std::array<EffectForm, kMost> form{};         ///< those behind `count` mean nothing
+  std::uint32_t count = 0;                      ///< 0 .. kMost
+
+  [[nodiscard]] bool has(Effect effect) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (form[i].effect == effect) return true;
+    return false;
+  }
+};
+
 /// What a host has found by simulating the machine without an effect in the same excitation; stored.
 struct GapLimits {
   double evidence = 25.0;    ///< > 0, that chance does not reach
   double temperature = 1.0;  ///< >= 1: how much more evidence chance makes than independent rows would
   double excitation = 5.0;   ///< > 0: how many times better than its datasheet each parameter must be known
+  MachineForms forms{};
 };
 
 /// Both axes.

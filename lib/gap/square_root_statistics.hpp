@@ -85,7 +85,8 @@ class SquareRootStatistics {
   }
 
   /// Product of two columns less what the first `active` columns explain: an element of the Schur complement.
-  [[nodiscard]] Real left(std::size_t a, std::size_t b, std::size_t active) const {
+  /// Not inlined: a board has little flash, and time for this.
+  [[nodiscard]] [[gnu::noinline]] Real left(std::size_t a, std::size_t b, std::size_t active) const {
     const std::size_t last = a < b ? a : b;
     Real sum = 0;
     for (std::size_t j = active; j <= last; ++j) sum += factor(j, a) * factor(j, b);
@@ -123,39 +124,5 @@ class SquareRootStatistics {
   std::array<Real, kWidth*(kWidth + 1) / 2> factor_{};
   std::size_t rows_ = 0;
 };
-
-inline constexpr std::size_t kMostGroup = 4;
-
-/// What a group of columns would explain.
-template <class Real>
-struct GroupGain {
-  Real gain = 0;         ///< taken from the residual sum of squares
-  Real coefficient = 0;  ///< of the group's first column; of a group of one
-};
-
-/// Gain of the columns [first, first + count) over the first `active` ones, count <= kMostGroup; 0 where they
-/// are a combination of these.
-template <class Real, std::size_t kColumns>
-GroupGain<Real> gain_of(const SquareRootStatistics<Real, kColumns>& statistics, std::size_t first,
-                        std::size_t count, std::size_t active) {
-  constexpr Real kLeastNew = Real(1.0e-6);
-  constexpr std::size_t kY = SquareRootStatistics<Real, kColumns>::kY;
-  std::array<std::array<Real, kMostGroup + 1>, kMostGroup + 1> m{};
-  for (std::size_t a = 0; a < count; ++a) {
-    for (std::size_t b = a; b < count; ++b) m[a][b] = statistics.left(first + a, first + b, active);
-    m[a][count] = statistics.left(first + a, kY, active);
-  }
-  GroupGain<Real> result;
-  for (std::size_t a = 0; a < count; ++a) {
-    const Real pivot = m[a][a];
-    if (!(pivot > kLeastNew * statistics.left(first + a, first + a, 0))) return {};
-    const Real share = m[a][count] / pivot;
-    if (a == 0) result.coefficient = share;
-    result.gain += share * m[a][count];
-    for (std::size_t i = a + 1; i < count; ++i)
-      for (std::size_t b = i; b <= count; ++b) m[i][b] -= m[a][i] / pivot * m[a][b];
-  }
-  return result;
-}
 
 }  // namespace morepro::gap

@@ -122,18 +122,23 @@ inline ConfigurationResult check_ranges(const MonitorConfiguration& c, std::size
   return {};
 }
 
+inline ConfigurationResult check_shape(const gap::EffectForm& form, double rate_hz, std::string_view key) {
+  using enum ConfigurationError;
+  const auto shape = static_cast<double>(form.shape);
+  if (!is_finite(shape)) return {kNotFinite, key};
+  if (!(shape >= 0.0) || (gap::needs_shape(form.effect) && !(shape > 0.0))) return {kEffectShape, key};
+  if (shape > kLargest || (shape > 0.0 && shape < kSmallest)) return {kMagnitude, key};
+  constexpr double kLongestDelay = static_cast<double>(gap::kBoardDelaySteps) + 1.0e-3;  // a shape is a float
+  if (gap::is_delay(form.effect) && shape * rate_hz > kLongestDelay) return {kEffectDelay, key};
+  return {};
+}
+
 inline ConfigurationResult check_effect(const gap::AppliedEffect& one, double rate_hz) {
   using enum ConfigurationError;
   const auto& form = one.form;
-  const auto shape = static_cast<double>(form.shape);
   if (gap::index_of(form.effect) >= gap::kEffectCount) return {kEffectUnknown, "effects.name"};
   if (form.parts < 1 || form.parts > gap::kMostParts) return {kEffectParts, "effects.coefficients"};
-  if (!is_finite(shape)) return {kNotFinite, "effects.shape"};
-  if (!(shape >= 0.0) || (gap::needs_shape(form.effect) && !(shape > 0.0)))
-    return {kEffectShape, "effects.shape"};
-  if (shape > kLargest || (shape > 0.0 && shape < kSmallest)) return {kMagnitude, "effects.shape"};
-  constexpr double kLongestDelay = static_cast<double>(gap::kBoardDelaySteps) + 1.0e-3;  // a shape is a float
-  if (gap::is_delay(form.effect) && shape * rate_hz > kLongestDelay) return {kEffectDelay, "effects.shape"};
+  if (const auto result = check_shape(form, rate_hz, "effects.shape"); !result.ok()) return result;
   for (const double coefficient : one.coefficient) {
     if (!is_finite(coefficient)) return {kNotFinite, "effects.coefficients"};
     if (coefficient > kLargest || coefficient < -kLargest) return {kMagnitude, "effects.coefficients"};
@@ -147,6 +152,20 @@ inline ConfigurationResult check_effects(const MonitorConfiguration& c) {
     if (const auto result = check_effect(c.effects.effect[i], c.sampling.rate_hz); !result.ok())
       return result;
   return {};
+}
+
+inline ConfigurationResult check_forms(const gap::MachineForms& forms, double rate_hz) {
+  using enum ConfigurationError;
+  if (forms.count > gap::MachineForms::kMost) return {kEffectCount, "gap.forms"};
+  std::size_t parts = 0;
+  for (std::size_t i = 0; i < forms.count; ++i) {
+    const gap::EffectForm& form = forms.form[i];
+    parts += form.parts;
+    if (form.parts == 0) continue;  // takes a form away and has no shape
+    if (const auto result = check_shape(form, rate_hz, "gap.forms"); !result.ok()) return result;
+  }
+  return parts > gap::MachineForms::kMostParts ? ConfigurationResult{kEffectParts, "gap.forms"}
+                                               : ConfigurationResult{};
 }
 
 }  // namespace detail
@@ -166,12 +185,18 @@ inline ConfigurationResult check(const MachineParameters& machine) {
 }
 
 /// Is every value of a configuration possible? `capacity`: hypotheses that the bank can hold. Returns the
-/// first refusal with its key.
-inline ConfigurationResult check(const MonitorConfiguration& configuration, std::size_t capacity) {
+/// first refusal with its key. Cold: small instead of fast.
+[[gnu::cold]] inline ConfigurationResult check(const MonitorConfiguration& configuration,
+                                               std::size_t capacity) {
   if (const auto result = detail::check_positive(configuration); !result.ok()) return result;
   if (const auto result = detail::check_not_negative(configuration); !result.ok()) return result;
   if (const auto result = detail::check_sensors(configuration.sensors); !result.ok()) return result;
   if (const auto result = detail::check_ranges(configuration, capacity); !result.ok()) return result;
+  const double rate_hz = configuration.sampling.rate_hz;
+  if (const auto result = detail::check_forms(configuration.gap.spindle.forms, rate_hz); !result.ok())
+    return result;
+  if (const auto result = detail::check_forms(configuration.gap.feed.forms, rate_hz); !result.ok())
+    return result;
   return detail::check_effects(configuration);
 }
 

@@ -30,7 +30,7 @@ struct NominalState {
 /// An effect with an onset sets in at that time after the first frame. Bounded time; may run in an interrupt.
 class KnownEffects {
  public:
-  explicit KnownEffects(const MonitorConfiguration& c)
+  [[gnu::cold]] explicit KnownEffects(const MonitorConfiguration& c)
       : count_(c.effects.count),
         period_s_(static_cast<float>(1.0 / c.sampling.rate_hz)),
         plant_(c.machine),

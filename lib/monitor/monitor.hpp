@@ -89,7 +89,7 @@ class Monitor {
 
  private:
   struct Estimators {
-    explicit Estimators(const MonitorConfiguration& c)
+    [[gnu::cold]] explicit Estimators(const MonitorConfiguration& c)
         : guard(c.sampling.rate_hz),
           held(c.machine),
           known(c),

@@ -7,7 +7,7 @@ namespace morepro::wire {
 
 /// First byte of the payload. Another version is refused: a stored configuration is never read as something
 /// else. To be raised with every change of the lists below.
-inline constexpr std::uint8_t kConfigurationLayout = 3;
+inline constexpr std::uint8_t kConfigurationLayout = 4;
 
 template <>
 inline constexpr auto kFields<MachineParameters::Spindle> = std::tuple{
@@ -84,10 +84,23 @@ inline constexpr auto kFields<WearLimits> = std::tuple{
 };
 
 template <>
+inline constexpr auto kFields<gap::EffectForm> = std::tuple{
+    &gap::EffectForm::effect,
+    &gap::EffectForm::kind,
+    &gap::EffectForm::parts,
+    &gap::EffectForm::shape,
+};
+
+template <>
+inline constexpr auto kFields<gap::MachineForms> =
+    std::tuple{&gap::MachineForms::form, &gap::MachineForms::count};
+
+template <>
 inline constexpr auto kFields<gap::GapLimits> = std::tuple{
     &gap::GapLimits::evidence,
     &gap::GapLimits::temperature,
     &gap::GapLimits::excitation,
+    &gap::GapLimits::forms,
 };
 
 template <>
@@ -97,14 +110,6 @@ inline constexpr auto kFields<GapTuning> = std::tuple{
     &GapTuning::feed_process_noise_m_s,
     &GapTuning::spindle,
     &GapTuning::feed,
-};
-
-template <>
-inline constexpr auto kFields<gap::EffectForm> = std::tuple{
-    &gap::EffectForm::effect,
-    &gap::EffectForm::kind,
-    &gap::EffectForm::parts,
-    &gap::EffectForm::shape,
 };
 
 template <>

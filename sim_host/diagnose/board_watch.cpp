@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "lib/gap/gap_watch.hpp"
 #include "lib/gap/reference_point.hpp"
@@ -67,47 +68,75 @@ bool holds(const std::vector<gap::Effect>& effects, gap::Effect effect) {
   return std::find(effects.begin(), effects.end(), effect) != effects.end();
 }
 
-// Stretches of 272 frames, the next one after 9272 frames or more: these do not overlap.
-constexpr std::size_t kWatches = 12;
-constexpr std::size_t kShift = 750;
+// Of a stretch the last 128 frames give rows, and the next one comes 9272 frames later or more: so these do
+// not meet, and nearly every row is used once.
+constexpr std::size_t kWatches = 72;
+constexpr std::size_t kShift = 128;
+
+/// What a board is shown of a row.
+struct BoardFrame {
+  gap::GapFrame<float> frame;
+  bool is_missing = false;
+};
+
+std::vector<BoardFrame> board_frames(const RecordingSignals& signals, const MachineParameters& machine) {
+  std::vector<BoardFrame> frames(signals.rows);
+  FrameSource source(signals, machine, 0, FrameSource::Temperatures::kAsRecorded);
+  for (std::size_t row = 0; row < signals.rows; ++row) {
+    frames[row] = {rounded(source.next()), is_missing(signals, row)};
+    hide_what_is_not_driven(signals, frames[row].frame);
+  }
+  return frames;
+}
 
 /// Shows a recording to a watch whose first stretch begins at row `first`.
-void show(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
-          Watch& watch) {
-  FrameSource frames(signals, machine, 0, FrameSource::Temperatures::kAsRecorded);
-  while (frames.row() < signals.rows) {
-    const std::size_t row = frames.row();
-    gap::GapFrame<float> frame = rounded(frames.next());
-    hide_what_is_not_driven(signals, frame);
-    if (!is_missing(signals, row)) watch.step(frame);
-    if (is_missing(signals, row) || row < first) watch.interrupt();
+void show(const std::vector<BoardFrame>& frames, std::size_t first, Watch& watch) {
+  for (std::size_t row = 0; row < frames.size(); ++row) {
+    const BoardFrame& seen = frames[row];
+    if (!seen.is_missing) watch.step(seen.frame);
+    if (seen.is_missing || row < first) watch.interrupt();
   }
 }
 
+/// Lowers what a name needs of an axis to what the recording holds for it.
+void allow(float excitation, gap::GapLimits& limits) {
+  constexpr double kMargin = 0.5;
+  if (excitation > 0.0F)
+    limits.excitation = std::min(limits.excitation, kMargin * static_cast<double>(excitation));
+}
+
 gap::GapFinding found_on_board(const RecordingSignals& signals, const MachineParameters& machine,
-                               const gap::GapSettings& settings) {
+                               gap::GapSettings& settings, bool is_excited) {
   const auto new_watch = [&] {
     return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / signals.rate_hz,
                                    settings);
   };
-  const auto all = new_watch();
+  const std::vector<BoardFrame> frames = board_frames(signals, machine);
+  auto all = new_watch();
   for (std::size_t k = 0; k < kWatches; ++k) {
     const auto one = new_watch();
-    show(signals, machine, k * kShift, *one);
+    show(frames, k * kShift, *one);
     one->finish();
     all->merge(*one);
   }
   all->finish();
-  return all->finding();
+  if (!is_excited) return all->finding();
+  allow(all->spindle().evaluation().excitation(), settings.spindle);
+  allow(all->feed().evaluation().excitation(), settings.feed);
+  const auto judged = new_watch();
+  judged->merge(*all);
+  judged->finish();
+  return judged->finding();
 }
 
 }  // namespace
 
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
-                               const MachineParameters& refitted, const gap::GapSettings& settings) {
-  const gap::GapFinding first = found_on_board(signals, datasheet, settings);
+                               const MachineParameters& refitted, bool is_excited,
+                               gap::GapSettings& settings) {
+  const gap::GapFinding first = found_on_board(signals, datasheet, settings, is_excited);
   if (first.verdict != GapVerdict::kParameterError) return first;
-  const gap::GapFinding second = found_on_board(signals, refitted, settings);
+  const gap::GapFinding second = found_on_board(signals, refitted, settings, is_excited);
   const bool has_found = second.verdict == GapVerdict::kEffect || second.verdict == GapVerdict::kUnexplained;
   return has_found ? second : first;
 }

@@ -11,7 +11,8 @@ namespace morepro::host {
 /// Where it says that values of the datasheet are wrong, it is given the `refitted` ones and looks again: an
 /// effect that it then finds is its answer.
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
-                               const MachineParameters& refitted, const gap::GapSettings& settings);
+                               const MachineParameters& refitted, bool is_excited,
+                               gap::GapSettings& settings);
 
 /// The settings as a machine file states them. `rate_ratio`: of the rate that they were found at, over that
 /// of the recording; noise adds up over intervals.

@@ -39,9 +39,8 @@ void look_for_functions(const AxisFit& fit, double least_evidence, Leftover& lef
     active.push_back(chosen);
     leftover.gain += deviance;
     leftover.freedom += 1.0;
-    const bool is_torque =
-        forms[static_cast<std::size_t>(chosen - first)].effect == gap::Effect::kUnnamedTorque;
-    if (is_torque) torque += deviance;
+    leftover.functions.push_back(forms[static_cast<std::size_t>(chosen - first)]);
+    if (leftover.functions.back().effect == gap::Effect::kUnnamedTorque) torque += deviance;
   }
   if (leftover.gain > 0.0) leftover.torque_share = torque / leftover.gain;
 }

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "lib/gap/square_root_statistics.hpp"
+#include "lib/gap/explained_columns.hpp"
 
 namespace morepro::gap {
 namespace {
@@ -29,10 +29,10 @@ std::vector<Statistics::Row> rows_of(unsigned seed) {
 
 /// Which column explains most.
 std::size_t best_of(const Statistics& statistics) {
+  const ExplainedColumns<float, kColumns> explained(kParameters);
   std::size_t best = kParameters;
   for (std::size_t j = kParameters; j < kColumns; ++j)
-    if (gain_of(statistics, j, 1, kParameters).gain > gain_of(statistics, best, 1, kParameters).gain)
-      best = j;
+    if (explained.gain_of(statistics, j, 1).gain > explained.gain_of(statistics, best, 1).gain) best = j;
   return best;
 }
 

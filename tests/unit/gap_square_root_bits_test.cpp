@@ -35,7 +35,7 @@ TEST(SquareRootStatistics, HasTheSameBitsEverywhere) {
   test::BitHash hash;
   for (std::size_t i = 0; i < 13; ++i)
     for (std::size_t j = i; j < 13; ++j) hash.add(statistics.factor(i, j));
-  const auto group = gain_of(statistics, 5, 4, 4);
+  const auto group = ExplainedColumns<float, 12>(4).gain_of(statistics, 5, 4);
   hash.add(group.gain);
   hash.add(group.coefficient);
   hash.add(statistics.correlation(7, 9, 4));

@@ -1,48 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <random>
-#include <vector>
 
 #include "lib/gap/square_root_statistics.hpp"
+#include "tests/support/statistics_rows.hpp"
 
 namespace morepro::gap {
 namespace {
 
-constexpr std::size_t kColumns = 6;
-template <class Real>
-using Statistics = SquareRootStatistics<Real, kColumns>;
-
-Eigen::MatrixXd random_rows(int count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  Eigen::MatrixXd rows(count, kColumns + 1);
-  for (double& x : rows.reshaped()) x = normal(random);
-  rows.col(3) += 2.0 * rows.col(0);
-  rows.col(6) += 0.5 * rows.col(4) - 0.3 * rows.col(1);
-  return rows;
-}
-
-template <class Real>
-Statistics<Real> collected(const Eigen::MatrixXd& rows) {
-  Statistics<Real> statistics;
-  for (const auto& row : rows.rowwise()) {
-    typename Statistics<Real>::Row taken;
-    for (std::size_t j = 0; j <= kColumns; ++j)
-      taken[j] = static_cast<Real>(row(static_cast<Eigen::Index>(j)));
-    statistics.add(taken);
-  }
-  return statistics;
-}
-
-/// What columns `active` leave of the others, by the textbook.
-Eigen::MatrixXd schur(const Eigen::MatrixXd& rows, Eigen::Index active) {
-  const Eigen::MatrixXd m = rows.transpose() * rows;
-  const auto rest = m.cols() - active;
-  return m.bottomRightCorner(rest, rest) -
-         m.bottomLeftCorner(rest, active) *
-             m.topLeftCorner(active, active).ldlt().solve(m.topRightCorner(active, rest));
-}
+using test::collected;
+using test::kColumns;
+using test::random_rows;
+using test::schur;
 
 TEST(SquareRootStatistics, HoldTheProductsOfTheirRows) {
   const Eigen::MatrixXd rows = random_rows(50, 1);
@@ -63,29 +32,6 @@ TEST(SquareRootStatistics, LeaveWhatTheFirstColumnsDoNotExplain) {
   EXPECT_NEAR(statistics.residual(2), rest(4, 4), 1.0e-12 * rest.norm());
   EXPECT_NEAR(statistics.left(3, 5, 2), rest(1, 3), 1.0e-12 * rest.norm());
   EXPECT_NEAR(statistics.correlation(3, 5, 2), rest(1, 3) / std::sqrt(rest(1, 1) * rest(3, 3)), 1.0e-12);
-}
-
-TEST(SquareRootStatistics, KnowTheGainOfAGroup) {
-  const Eigen::MatrixXd rows = random_rows(80, 3);
-  const Eigen::MatrixXd rest = schur(rows, 2);
-  for (const Eigen::Index count : {1, 2, 3, 4}) {
-    const Eigen::VectorXd b = rest.block(0, 4, count, 1);
-    const Eigen::VectorXd x = rest.topLeftCorner(count, count).ldlt().solve(b);
-    const auto group = gain_of(collected<double>(rows), 2, static_cast<std::size_t>(count), 2);
-    EXPECT_NEAR(group.gain, x.dot(b), 1.0e-12 * rest(4, 4)) << count;
-    if (count == 1) {
-      EXPECT_NEAR(group.coefficient, x(0), 1.0e-12);
-    }
-  }
-}
-
-TEST(SquareRootStatistics, GainNothingFromACombinationOfTheFirstColumns) {
-  Eigen::MatrixXd rows = random_rows(80, 4);
-  rows.col(3) = 3.0 * rows.col(0) - rows.col(1);
-  EXPECT_EQ(gain_of(collected<double>(rows), 3, 1, 2).gain, 0.0);
-  EXPECT_EQ(gain_of(collected<float>(rows), 3, 1, 2).gain, 0.0F);
-  rows.col(4).setZero();
-  EXPECT_EQ(gain_of(collected<float>(rows), 4, 1, 2).gain, 0.0F);
 }
 
 TEST(SquareRootStatistics, DrawACoefficientToZeroByItsPrior) {

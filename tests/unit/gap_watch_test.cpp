@@ -15,8 +15,9 @@ namespace {
 using test::GapRun;
 
 template <class Real = float>
-GapFinding found(const GapRun& run, const MachineParameters& believed = test::gap_configuration().machine) {
-  const auto watch = std::make_unique<GapWatch<Real>>(test::new_watch<Real>(believed, test::gap_settings()));
+GapFinding found(const GapRun& run, const MachineParameters& believed = test::gap_configuration().machine,
+                 const GapSettings& settings = test::gap_settings()) {
+  const auto watch = std::make_unique<GapWatch<Real>>(test::new_watch<Real>(believed, settings));
   test::watch_run(*watch, run);
   watch->finish();
   return watch->finding();
@@ -65,6 +66,56 @@ TEST(GapWatch, NamesWhatIsThere) {
     EXPECT_EQ(finding.where, group_of(finding.effect)) << name(effect);
     EXPECT_GT(finding.confidence, 0.9F) << name(effect);
   }
+}
+
+GapFinding found_with(const GapRun& run, const EffectForm& form) {
+  GapSettings settings = test::gap_settings();
+  for (GapLimits* limits : {&settings.spindle, &settings.feed}) {
+    limits->forms.form[0] = form;
+    limits->forms.count = 1;
+  }
+  return found(run, test::gap_configuration().machine, settings);
+}
+
+TEST(GapWatch, NamesTheStrongerOfTwoEffectsInOneAxis) {
+  const GapFinding finding = found({.effects = {test::gap_effect(Effect::kSpindleCoulombFriction, 0.1),
+                                                test::gap_effect(Effect::kBrushVoltageDrop, 2.0)},
+                                    .duration_s = 24.0});
+  EXPECT_EQ(finding.verdict, GapVerdict::kEffect);
+  EXPECT_EQ(finding.effect, Effect::kBrushVoltageDrop) << name(finding.effect);
+}
+
+// Seven periods per turn: the board's own form has eight.
+TEST(GapWatch, KnowsTheFormsThatAMachineWasSeenToHave) {
+  AppliedEffect cogging = test::gap_effect(Effect::kSpindleCogging, 0.1);
+  cogging.form.shape = 7.0F;
+  const GapRun run{.effects = {cogging}, .duration_s = 24.0, .seed = 7};
+  EXPECT_NE(found(run).effect, Effect::kSpindleCogging);
+  const GapFinding finding =
+      found_with(run, {.effect = Effect::kSpindleCogging, .kind = 0, .parts = 2, .shape = 7.0F});
+  EXPECT_EQ(finding.verdict, GapVerdict::kEffect);
+  EXPECT_EQ(finding.effect, Effect::kSpindleCogging) << name(finding.effect);
+}
+
+TEST(GapWatch, DoesNotLookForWhatWasTakenAway) {
+  const GapRun run{
+      .effects = {test::gap_effect(Effect::kFeedForceOffset, 3.0)}, .duration_s = 24.0, .seed = 7};
+  ASSERT_EQ(found(run).effect, Effect::kFeedForceOffset);
+  const GapFinding finding =
+      found_with(run, {.effect = Effect::kFeedForceOffset, .kind = 0, .parts = 0, .shape = 0.0F});
+  EXPECT_FALSE(finding.verdict == GapVerdict::kEffect && is_named(finding, Effect::kFeedForceOffset));
+}
+
+TEST(GapWatch, ClaimsNoCauseWhereAFunctionWithoutANameExplainsMore) {
+  const GapRun run{
+      .effects = {test::gap_effect(Effect::kSpindleWindage, 2.0e-7)}, .duration_s = 24.0, .seed = 7};
+  ASSERT_EQ(found(run).verdict, GapVerdict::kEffect);
+  // w |w|, the law of windage, without its name.
+  GapSettings settings = test::gap_settings();
+  settings.spindle.forms.form[0] = {.effect = Effect::kUnnamedTorque, .kind = 3, .parts = 1, .shape = 0.0F};
+  settings.spindle.forms.form[1] = {.effect = Effect::kSpindleWindage, .kind = 0, .parts = 0, .shape = 0.0F};
+  settings.spindle.forms.count = 2;
+  EXPECT_EQ(found(run, test::gap_configuration().machine, settings).verdict, GapVerdict::kUnexplained);
 }
 
 TEST(GapWatch, NamesNoEffectWhereThereIsNone) {
