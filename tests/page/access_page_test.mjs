@@ -36,11 +36,17 @@ async function openWith(name, options) {
 const picturesOf = (page) =>
   page.$$eval(".chart canvas", (all) => all.map((canvas) => canvas.toDataURL()));
 
-/** What a browser does before it prints, with the page as wide as the paper. */
+/** What a browser does before it prints, then the page as wide as the paper. The charts as a printer gets them. */
 async function printed(page) {
-  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  const pictures = await page.evaluate(async () => {
+    dispatchEvent(new Event("beforeprint"));
+    // The charts draw behind the event; a printer does not wait for the next frame.
+    await Promise.resolve();
+    return [...document.querySelectorAll(".chart canvas")].map((canvas) => canvas.toDataURL());
+  });
   await page.emulateMedia({ media: "print" });
   await page.setViewportSize({ width: PAPER_PX, height: 1000 });
+  return pictures;
 }
 
 for (const name of PAGES) {
@@ -48,7 +54,8 @@ for (const name of PAGES) {
     const { page: dark, faults } = await openWith(name, { colorScheme: "dark" });
     const { page: light } = await openWith(name, { colorScheme: "light" });
     const onScreen = await picturesOf(dark);
-    for (const page of [dark, light]) await printed(page);
+    const onPaper = await printed(dark);
+    const fromLight = await printed(light);
     assert.deepEqual(await dark.evaluate(() => {
       const width = document.documentElement.clientWidth;
       const isShown = (one) => one.getClientRects().length > 0;
@@ -61,9 +68,8 @@ for (const name of PAGES) {
       all.filter((one) => !getComputedStyle(one.closest(".map") ?? one).breakInside.startsWith("avoid")).length), 0);
     for (const [i, ink] of (await inkOf(dark, ".chart")).entries()) assert.ok(ink > 0, `chart ${i} is empty`);
     assert.equal(await dark.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
-    const onPaper = await picturesOf(dark);
     assert.ok(onPaper.length > 4 && onPaper.every((picture, i) => picture !== onScreen[i]));
-    assert.deepEqual(onPaper, await picturesOf(light));
+    assert.ok(onPaper.every((picture, i) => picture === fromLight[i]));
     assert.deepEqual(faults, []);
   });
 }
