@@ -77,6 +77,7 @@ function addLegendKeys(plot) {
  * A chart that follows the width of its place and the theme.
  * `description`: {title, x, y, series: [{label, color?, dash?, points?, more?}], height, sync?, plugins?, adjust?};
  * `more` and `adjust` are for uPlot's own options of a series and of the chart.
+ * `hasLines`: false where a plugin draws all that there is, so that no line can be hidden.
  * `data`: uPlot's columns, x first, or a function that gives them for a width.
  */
 export function addChart(place, description, data) {
@@ -96,7 +97,7 @@ export function addChart(place, description, data) {
     chart.plot?.destroy();
     chart.plot = new uPlot(optionsOf(description, width()), columns(width()), body);
     describe(chart.plot, `${heading.textContent} over ${description.x}: ${lines}`);
-    addLegendKeys(chart.plot);
+    if (description.hasLines !== false) addLegendKeys(chart.plot);
   };
   draw();
   new ResizeObserver(() => {
