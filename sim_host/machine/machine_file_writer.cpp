@@ -86,6 +86,12 @@ class Unstated {
     return is_tuned ? fmt::format("{} (--machine {}: {})\n", text, machine_.name, own) : text + '\n';
   }
 
+  /// The rule is always stated; who looks for settings wants to know the others.
+  [[nodiscard]] std::string with_rule(DecisionRule rule) const {
+    return fmt::format("rule = \"{}\"{}\n", kRuleNames.at(static_cast<std::size_t>(rule)),
+                       is_shown_ ? fmt::format("  # one of {}", fmt::join(kRuleNames, ", ")) : "");
+  }
+
  private:
   bool is_shown_;
   const MachineDescription& machine_;
@@ -101,9 +107,7 @@ std::string settings_table(std::string_view table, const MachineDescription& mac
     const bool is_fixed = is_stated || key.origin.empty();
     text += is_fixed ? setting_line(key, key.get(machine.configuration)) : unstated.line(key);
   }
-  if (table == "bank" && machine.has_contact)
-    text +=
-        fmt::format("rule = \"{}\"\n", kRuleNames.at(static_cast<std::size_t>(machine.configuration.rule)));
+  if (table == "bank" && machine.has_contact) text += unstated.with_rule(machine.configuration.rule);
   return text.empty() ? text : fmt::format("\n[{}]\n{}", table, text);
 }
 

@@ -238,7 +238,7 @@ class SimulateAndReplay(ProgramTest):
 
     def settings_of(self, name):
         text = self.must_do("config", "--machine", name).stdout
-        return {key: re.search(rf"^{key} = (.*)$", text, re.MULTILINE).group(1) for key in (*OWN_SETTINGS, "rule")}
+        return {key: re.search(rf"^{key} = (\S+)", text, re.MULTILINE).group(1) for key in (*OWN_SETTINGS, "rule")}
 
     def test_hypotheses_and_tuning_are_those_of_the_machine_file(self):
         self.with_settings("own.toml")
