@@ -24,8 +24,7 @@ void run(const ConfigArguments& arguments) {
   check_distinct({{"--machine", arguments.machine}}, {{"--out", arguments.out}});
   const MachineDescription machine = load_machine(arguments.machine);
   OutputFile file(arguments.out);
-  file.write(machine_file_text(machine));
-  file.write(estimator_comments(machine));
+  file.write(config_text(machine));
   file.commit();
 }
 

@@ -22,6 +22,7 @@
 #include "sim_host/diagnose/share_closed.hpp"
 #include "sim_host/diagnose/unevaluated.hpp"
 #include "sim_host/diagnose/where.hpp"
+#include "sim_host/machine/setting_key.hpp"
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -364,7 +365,8 @@ class Diagnosis {
   MachineDescription machine_with_effects() const {
     MachineDescription machine = machine_;
     machine.configuration.gap = result_.for_board;
-    machine.has_gap = true;
+    for (const SettingKey& key : setting_keys())
+      if (key.table == "gap") machine.stated.insert(full_name(key));
     for (const AxisOutcome& outcome : outcomes_) {
       const MachineParameters& fitted = outcome.diagnosis.fit.model().machine;
       if (outcome.diagnosis.fit.axis() == Axis::kSpindle)

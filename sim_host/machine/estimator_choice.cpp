@@ -77,7 +77,8 @@ void set_rate(MonitorConfiguration& configuration, double rate_hz) {
   tuning.current_process_noise_a *= noise_ratio;
   tuning.feed_process_noise_m_s *= noise_ratio;
   tuning.chip_load_drift_mm *= noise_ratio;
-  tuning.switch_probability = std::min(0.1, tuning.switch_probability * steps_ratio);
+  const double likeliest = std::max(0.1, tuning.switch_probability);
+  tuning.switch_probability = std::min(likeliest, tuning.switch_probability * steps_ratio);
   GapTuning& gap = configuration.gap;
   gap.speed_process_noise_rad_s *= noise_ratio;
   gap.current_process_noise_a *= noise_ratio;
@@ -85,13 +86,18 @@ void set_rate(MonitorConfiguration& configuration, double rate_hz) {
   configuration.sampling.rate_hz = rate_hz;
 }
 
-void choose_estimators(MonitorConfiguration& configuration, bool has_contact) {
+void choose_tuning(MonitorConfiguration& configuration) {
   const double rate_hz = configuration.sampling.rate_hz;
-  if (has_contact) configuration.grid = grid_for(configuration.machine);
   configuration.tuning = tuning_for(configuration.sensors, configuration.grid);
   configuration.gap = gap_tuning_for(configuration.sensors);
   configuration.sampling = Sampling{};
   set_rate(configuration, rate_hz);
+}
+
+MonitorConfiguration chosen_for(MonitorConfiguration configuration, bool has_contact) {
+  choose_tuning(configuration);
+  if (has_contact) configuration.grid = grid_for(configuration.machine);
+  return configuration;
 }
 
 }  // namespace morepro::host

@@ -15,8 +15,13 @@ FilterTuning tuning_for(const Sensors& sensors, const HypothesisGrid& grid);
 /// that is hardly random.
 GapTuning gap_tuning_for(const Sensors& sensors);
 
-/// What the program chooses where a machine file does not say it: hypotheses, filters, the watch of the gap.
-void choose_estimators(MonitorConfiguration& configuration, bool has_contact);
+/// Chooses the tuning of the filters and of the watch of the gap, from the sensors, the hypotheses and the
+/// rate.
+void choose_tuning(MonitorConfiguration& configuration);
+
+/// A configuration with what the program chooses where a machine file does not state it; the drift of the
+/// chip load follows the hypotheses that the configuration has.
+MonitorConfiguration chosen_for(MonitorConfiguration configuration, bool has_contact);
 
 /// The same estimators at another sampling rate: the noise per second stays, the noise per step changes.
 void set_rate(MonitorConfiguration& configuration, double rate_hz);

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,11 +23,12 @@ struct MachineDescription {
   bool has_feed = true;                     ///< [feed]
   bool has_contact = true;  ///< [tool] and [contact]: without them there is no chip load to estimate
   bool has_thermal = true;  ///< [thermal]: without it the contact law does not depend on temperature
-  bool has_gap = false;     ///< [gap]: what a diagnosis has found for the watch on the board
   bool has_rate = true;     ///< [sampling]: without it the recording's rate is taken
   bool is_built_in = true;
   std::uint16_t assumed_noise =
       0;  ///< bit_of(channel): the reference machine's noise stands in for an absent one
+  /// "tuning.switch_probability": settings that do not follow from the rest.
+  std::set<std::string, std::less<>> stated;
   std::map<std::string, TextPlace, std::less<>> places;  ///< of every key in the machine file, as "table.key"
 
   /// bit_of(channel) of the signals that the description can do something with. What is not described is not

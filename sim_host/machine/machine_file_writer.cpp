@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <span>
+#include <string_view>
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
@@ -60,12 +60,55 @@ std::string refinement(const gap::AppliedEffect& effect, const gap::AppliedEffec
   return text;
 }
 
-template <typename Settings>
-std::string settings_table(std::string_view name, std::span<const SettingKey<Settings>> keys,
-                           Settings settings) {
-  std::string text = fmt::format("\n[{}]\n", name);
-  for (const SettingKey<Settings>& key : keys) text += fmt::format("{} = {}\n", key.key, key.of(settings));
-  return text;
+/// One line of [bank], [tuning], [gap] or [wear].
+std::string setting_line(const SettingKey& key, double value) {
+  return fmt::format("{} = {}\n", key.key, value);
+}
+
+bool is_used(const MachineDescription& machine, const SettingKey& key) {
+  return key.part.empty() || is_described(machine, key.part);
+}
+
+/// A setting that the machine does not state: nothing in a machine file, because a changed sensor changes it.
+/// For `config` a comment with the value that is chosen.
+class Unstated {
+ public:
+  Unstated(const MachineDescription& machine, bool is_shown) : is_shown_(is_shown), machine_(machine) {
+    if (is_shown && machine.is_built_in) chosen_ = chosen_for(machine.configuration, machine.has_contact);
+  }
+
+  [[nodiscard]] std::string line(const SettingKey& key) const {
+    if (!is_shown_) return {};
+    const double own = key.get(machine_.configuration);
+    const double value = machine_.is_built_in ? key.get(chosen_) : own;
+    const std::string text = fmt::format("# {} = {}  # {}", key.key, value, key.origin);
+    const bool is_tuned = std::fabs(value - own) > 1e-9 * value;
+    return is_tuned ? fmt::format("{} (--machine {}: {})\n", text, machine_.name, own) : text + '\n';
+  }
+
+  /// The rule is always stated; who looks for settings wants to know the others.
+  [[nodiscard]] std::string with_rule(DecisionRule rule) const {
+    return fmt::format("rule = \"{}\"{}\n", kRuleNames.at(static_cast<std::size_t>(rule)),
+                       is_shown_ ? fmt::format("  # one of {}", fmt::join(kRuleNames, ", ")) : "");
+  }
+
+ private:
+  bool is_shown_;
+  const MachineDescription& machine_;
+  MonitorConfiguration chosen_;
+};
+
+std::string settings_table(std::string_view table, const MachineDescription& machine,
+                           const Unstated& unstated) {
+  std::string text;
+  for (const SettingKey& key : setting_keys()) {
+    const bool is_stated = machine.stated.contains(full_name(key));
+    if (key.table != table || !(is_stated || is_used(machine, key))) continue;
+    const bool is_fixed = is_stated || key.origin.empty();
+    text += is_fixed ? setting_line(key, key.get(machine.configuration)) : unstated.line(key);
+  }
+  if (table == "bank" && machine.has_contact) text += unstated.with_rule(machine.configuration.rule);
+  return text.empty() ? text : fmt::format("\n[{}]\n{}", table, text);
 }
 
 std::string effect_table(const gap::AppliedEffect& effect, const MachineParameters& machine) {
@@ -79,50 +122,42 @@ std::string effect_table(const gap::AppliedEffect& effect, const MachineParamete
   return text;
 }
 
-}  // namespace
-
-std::string machine_file_text(const MachineDescription& machine) {
-  std::string text = fmt::format("[machine]\nname = {}\n", quoted(machine.name));
-  text += parameter_tables(machine);
-  if (machine.has_contact) text += settings_table("wear", wear_keys(), machine.configuration.wear);
-  text += fmt::format("\n[sampling]\nrate_hz = {}\n", machine.configuration.sampling.rate_hz);
+std::string sensor_tables(const Sensors& sensors) {
+  std::string text;
   for (std::size_t i = 0; i < kChannelCount; ++i) {
-    const SensorNoise& sensor = machine.configuration.sensors[static_cast<Channel>(i)];
+    const SensorNoise& sensor = sensors[static_cast<Channel>(i)];
     if (!(sensor.variance() > 0.0)) continue;
     text +=
         fmt::format("\n[sensors.{}]\nnoise = {}\nlsb = {}\n", kChannels[i].column, sensor.noise, sensor.lsb);
   }
-  if (machine.has_gap) text += settings_table("gap", gap_keys(), machine.configuration.gap);
+  return text;
+}
+
+std::string text_of(const MachineDescription& machine, std::string_view words, const Unstated& unstated) {
+  std::string text = fmt::format("[machine]\nname = {}\n", quoted(machine.name));
+  text += parameter_tables(machine);
+  text += fmt::format("\n[sampling]\nrate_hz = {}\n", machine.configuration.sampling.rate_hz);
+  text += sensor_tables(machine.configuration.sensors);
+  text += words;
+  for (const std::string_view table : {"bank", "tuning", "gap", "wear"})
+    text += settings_table(table, machine, unstated);
   for (const gap::AppliedEffect& effect : machine.effects)
     text += effect_table(effect, machine.configuration.machine);
   return text;
 }
 
-std::string estimator_comments(const MachineDescription& machine) {
-  MonitorConfiguration chosen = machine.configuration;
-  if (machine.is_built_in) choose_estimators(chosen, machine.has_contact);
-  const FilterTuning& own = machine.configuration.tuning;
-  const FilterTuning& tuning = chosen.tuning;
-  std::string text = "\n# Chosen from the above:\n";
-  const auto add = [&text](std::string_view name, auto value) {
-    text += fmt::format("# {} = {}\n", name, value);
-  };
-  const auto add_tuned = [&text, &machine](std::string_view name, double value, double built_in) {
-    const bool is_other = std::fabs(value - built_in) > 1e-9 * value;
-    text += fmt::format("# {} = {}", name, value);
-    text += is_other ? fmt::format(" (--machine {}: {})\n", machine.name, built_in) : "\n";
-  };
-  add("hypotheses", chosen.grid.count);
-  add("first_hypothesis_mm", chosen.grid.first_mm);
-  add("hypothesis_step_mm", chosen.grid.step_mm);
-  add_tuned("speed_process_noise_rad_s", tuning.speed_process_noise_rad_s, own.speed_process_noise_rad_s);
-  add_tuned("current_process_noise_a", tuning.current_process_noise_a, own.current_process_noise_a);
-  add_tuned("feed_process_noise_m_s", tuning.feed_process_noise_m_s, own.feed_process_noise_m_s);
-  add_tuned("chip_load_drift_mm", tuning.chip_load_drift_mm, own.chip_load_drift_mm);
-  add("switch_probability", tuning.switch_probability);
-  add("parameter_start_fraction", tuning.parameter_start_fraction);
-  for (const GapKey& key : gap_keys()) add(fmt::format("gap.{}", key.key), key.of(chosen.gap));
-  return text;
+constexpr std::string_view kWords =
+    "\n# What begins with # below is chosen from the tables above, as stands behind the second #; it follows"
+    "\n# them. Remove the first # to state a value of your own, per sample at the rate of [sampling].\n";
+
+}  // namespace
+
+std::string machine_file_text(const MachineDescription& machine) {
+  return text_of(machine, "", Unstated(machine, false));
+}
+
+std::string config_text(const MachineDescription& machine) {
+  return text_of(machine, kWords, Unstated(machine, true));
 }
 
 }  // namespace morepro::host

@@ -3,6 +3,7 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -86,7 +87,15 @@ class RowParser {
     return fields;
   }
 
+  [[nodiscard]] bool is_cut() const { return std::find(row_start_, cursor_.end, '\n') == cursor_.end; }
+
   [[noreturn]] void refuse_count(std::size_t fields) {
+    if (fields < header_.columns.size() && is_cut())
+      throw UserError(
+          place(cursor_.position),
+          fmt::format("the file ends within this row, behind {} fields of {}; remove the row that "
+                      "was cut",
+                      fields, header_.columns.size()));
     throw UserError(
         place(cursor_.position),
         fmt::format("the row has {} fields, the header has {}; give every row one field per column, empty "

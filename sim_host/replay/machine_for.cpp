@@ -4,6 +4,7 @@
 
 #include "lib/monitor/configuration_check.hpp"
 #include "sim_host/machine/estimator_choice.hpp"
+#include "sim_host/machine/setting_key.hpp"
 #include "sim_host/replay/replay_session.hpp"
 
 namespace morepro::host {
@@ -18,6 +19,15 @@ void take_effects(const MonitorConfiguration& configuration, MachineDescription&
     if (check_effect(effect[i], configuration.sampling.rate_hz).ok()) machine.effects.push_back(effect[i]);
 }
 
+/// A recording does not say what was chosen: what is other than the choice was stated.
+void state_what_differs(MachineDescription& machine) {
+  const MonitorConfiguration chosen = chosen_for(machine.configuration, machine.has_contact);
+  for (const SettingKey& key : setting_keys()) {
+    const double value = key.get(machine.configuration);
+    if (std::fabs(value - key.get(chosen)) > 1e-9 * std::fabs(value)) machine.stated.insert(full_name(key));
+  }
+}
+
 MachineDescription choose(const RecordingReader& recording, const std::string& asked_for,
                           std::vector<std::string>& notices) {
   if (!asked_for.empty()) return load_machine(asked_for);
@@ -27,6 +37,7 @@ MachineDescription choose(const RecordingReader& recording, const std::string& a
     machine.name = name.empty() ? "of the recording" : std::string(name);
     machine.configuration = *configuration;
     take_effects(*configuration, machine);
+    state_what_differs(machine);
     return machine;
   }
   if (is_built_in_name(name)) return built_in_machine(name);

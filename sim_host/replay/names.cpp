@@ -3,6 +3,8 @@
 #include <array>
 #include <bit>
 
+#include "sim_host/machine/setting_key.hpp"
+
 namespace morepro::host {
 namespace {
 
@@ -19,10 +21,7 @@ std::string_view name_of(HealthState state) {
   return at(kNames, static_cast<std::size_t>(state));
 }
 
-std::string_view name_of(DecisionRule rule) {
-  constexpr std::array<std::string_view, 3> kNames{"markov", "bayesian", "thesis"};
-  return at(kNames, static_cast<std::size_t>(rule));
-}
+std::string_view name_of(DecisionRule rule) { return at(kRuleNames, static_cast<std::size_t>(rule)); }
 
 std::string_view name_of(ChipLoadState state) {
   return state == ChipLoadState::kValid ? "valid" : "undetermined";

@@ -17,11 +17,14 @@ namespace {
 
 using ReplayApp = firmware::App<ReplayBoard>;
 
-/// The keys of the machine file that values which the program chose were chosen from.
-std::string_view origin_of(std::string_view key) {
+/// Where in the machine file the monitor's key stands, or the key that its value was chosen from.
+TextPlace place_of(const MachineDescription& machine, std::string_view key) {
   constexpr std::pair<std::string_view, std::string_view> kOrigins[] = {
+      {"grid.first_mm", "bank.first_hypothesis_mm"},
       {"grid.first_mm", "tool.chip_load_mm"},
+      {"grid.step_mm", "bank.hypothesis_step_mm"},
       {"grid.step_mm", "tool.chip_load_mm"},
+      {"tuning.chip_load_drift_mm", "bank.hypothesis_step_mm"},
       {"tuning.chip_load_drift_mm", "tool.chip_load_mm"},
       {"tuning.speed_process_noise_rad_s", "sensors.spindle_speed_rad_s.noise"},
       {"tuning.current_process_noise_a", "sensors.armature_current_a.noise"},
@@ -29,10 +32,12 @@ std::string_view origin_of(std::string_view key) {
       {"gap.speed_process_noise_rad_s", "sensors.spindle_speed_rad_s.noise"},
       {"gap.current_process_noise_a", "sensors.armature_current_a.noise"},
       {"gap.feed_process_noise_m_s", "sensors.feed_speed_m_s.noise"}};
+  if (const auto own = machine.places.find(key); own != machine.places.end()) return own->second;
   for (const auto& [chosen, origin] : kOrigins) {
-    if (chosen == key) return origin;
+    const auto place = machine.places.find(origin);
+    if (chosen == key && place != machine.places.end()) return place->second;
   }
-  return key;
+  return {};
 }
 
 // Machine files and built-in machines have a possible rate: another one is the recording's.
@@ -51,9 +56,9 @@ void check_configuration(const MachineDescription& machine) {
   const std::string sentence =
       fmt::format("the monitor refuses machine '{}'{}{}: {}", machine.name,
                   result.key.empty() ? "" : " because of ", result.key, text_of(result.error));
-  const auto place = machine.places.find(origin_of(result.key));
-  if (place == machine.places.end()) throw UserError(sentence);
-  throw UserError(place->second, sentence);
+  const TextPlace place = place_of(machine, result.key);
+  if (place.file.empty()) throw UserError(sentence);
+  throw UserError(place, sentence);
 }
 
 // Without a contact law a spindle in contact has a torque that nobody described.

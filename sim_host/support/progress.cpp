@@ -46,19 +46,18 @@ StageProgress::~StageProgress() {
 void StageProgress::show(std::string_view stage, double share) {
   if (!is_on_) return;
   const auto now = Clock::now();
+  const int tenths = static_cast<int>(10.0 * share);
   if (stage != stage_) {
     stage_ = stage;
     stage_start_ = now;
-    is_told_ = false;
+    shown_tenths_ = -1;
   }
-  if (now < next_ || (!is_terminal_ && is_told_)) return;
-  next_ = now + std::chrono::milliseconds(200);
-  is_told_ = true;
-  if (is_terminal_) {
-    fmt::print(stderr, "\r\033[K{}: {}{}", label_, stage, left(share, now));
-  } else {
-    fmt::print(stderr, "{}: {}\n", label_, stage);
-  }
+  if (now < next_ || (!is_terminal_ && tenths == shown_tenths_)) return;
+  // A log is read afterwards: a line a second is enough of it.
+  next_ = now + std::chrono::milliseconds(is_terminal_ ? 200 : 1000);
+  shown_tenths_ = tenths;
+  fmt::print(stderr, "{}{}: {}{}{}", is_terminal_ ? "\r\033[K" : "", label_, stage, left(share, now),
+             is_terminal_ ? "" : "\n");
   std::fflush(stderr);
   has_line_ = is_terminal_;
 }

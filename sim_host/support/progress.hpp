@@ -58,7 +58,7 @@ class StageProgress {
   bool is_terminal_;
   bool has_line_ = false;
   std::string stage_;
-  bool is_told_ = false;
+  int shown_tenths_ = -1;
   Clock::time_point stage_start_ = Clock::now();
   Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
 };

@@ -55,6 +55,15 @@ spindle_excitation = 5
 feed_evidence = 30
 feed_temperature = 1.5
 feed_excitation = 6
+[bank]
+hypotheses = 8
+first_hypothesis_mm = 0.03
+hypothesis_step_mm = 0.01
+rule = "markov"
+[tuning]
+chip_load_drift_mm = 5e-5
+switch_probability = 1e-4
+parameter_start_fraction = 0.3
 [wear]
 watch_ratio = 1.2
 replace_ratio = 1.5
@@ -66,6 +75,8 @@ GAP_NOISE = ["speed_process_noise_rad_s", "current_process_noise_a", "feed_proce
 GAP_POSITIVE = ["spindle_evidence", "spindle_excitation", "feed_evidence", "feed_excitation"]
 GAP_TEMPERATURES = ["spindle_temperature", "feed_temperature"]
 GAP = GAP_NOISE + GAP_POSITIVE + GAP_TEMPERATURES
+BANK = ["hypotheses", "first_hypothesis_mm", "hypothesis_step_mm"]
+TUNING = ["chip_load_drift_mm", "switch_probability", "parameter_start_fraction"]
 WEAR = ["watch_ratio", "replace_ratio", "low_ratio", "hold_s", "datasheet_tolerance"]
 LINES = GOOD.count("\n")
 POSITIVE = ["torque_constant_nm_a", "back_emf_constant_vs_rad", "resistance_ohm", "inductance_h", "inertia_kgm2",
@@ -118,6 +129,22 @@ CORPUS = {
     **{f"{key} = 1e30 (gap)": wrong(key, "1e30", "magnitude") for key in GAP},
     **{f"{key} = -1 (wear)": wrong(key, -1, "impossible", f"wear.{key}") for key in WEAR},
     **{f"{key} is text (wear)": wrong(key, '"much"', "no number") for key in WEAR},
+    **{f"{key} = {value}": wrong(key, value, "impossible", f"{table}.{key}") for value in (0, -1)
+       for table, keys in (("bank", BANK), ("tuning", TUNING)) for key in keys},
+    **{f"{key} is text": wrong(key, '"much"', "no number") for key in BANK + TUNING},
+    **{f"{key} is no value": wrong(key, "nan", "not finite") for key in BANK + TUNING},
+    "half a hypothesis": wrong("hypotheses", 7.5, "whole number from 1 to 11"),
+    "more hypotheses than the bank holds": wrong("hypotheses", 12, "whole number from 1 to 11", "holds no more"),
+    "hypotheses beyond the law": wrong("hypotheses", 10, "0.12 mm, is outside", "0.02 .. 0.1175 mm", "fewer"),
+    "hypotheses below the law": wrong("first_hypothesis_mm", 0.01, "outside", "0.02 .. 0.1175 mm"),
+    "a switch that is certain": wrong("switch_probability", 1, "impossible", "less than 1"),
+    "unknown rule": wrong("rule", '"baysian"', "did you mean 'bayesian'?"),
+    "rule is a number": wrong("rule", 1, "bank.rule is neither"),
+    "misspelt hypotheses": misspelt("hypotheses", "hypothesis"),
+    "forgotten unit of a step": misspelt("hypothesis_step_mm", "hypothesis_step"),
+    "misspelt probability": misspelt("switch_probability", "switch_probabilty"),
+    "misspelt tuning": (GOOD + "[tunning]\n", f"line {LINES + 1}", "'tunning'", "'tuning'"),
+    "bank without contact": ("[feed]\nmass_kg = 3\n[bank]\nhypotheses = 3\n", "line 4", "bank.hypotheses needs [tool]"),
     "nothing is too little": wrong("low_ratio", 0, "impossible", "greater than 0"),
     "a sharp tool cuts too little": wrong("low_ratio", 1.1, "impossible", "at most 1"),
     "replace before watch": wrong("replace_ratio", 1.1, "smaller than watch_ratio = 1.2"),

@@ -50,8 +50,9 @@ STRUCTURE = {
     "second header": (with_row(HEADER.strip()), "line 5, column 1", "not a number"),
     "blank line inside": (GOOD + "\n0.0010,48,0,500,1\n", "line 5", "1 fields"),
     "comment inside": (with_row("# stop"), "line 5", "1 fields"),
-    "cut in the middle of a row": (GOOD + "0.0003,48,0", "line 5", "3 fields", "5"),
-    "cut behind a comma": (GOOD + "0.0003,", "line 5", "2 fields"),
+    "cut in the middle of a row": (GOOD + "0.0003,48,0", "line 5", "3 fields of 5", "was cut"),
+    "cut behind a comma": (GOOD + "0.0003,", "line 5", "2 fields of 5", "was cut"),
+    "a row that lacks fields": (GOOD + "0.0003,48,0\n0.0004,48,0,1,0\n", "line 5", "the row has 3 fields"),
 }
 
 FIELD_COUNTS = {f"{n} fields": (with_row(",".join(["0.0005"] + ["1"] * (n - 1))), f"line 5", f"{n} fields", "5")

@@ -8,6 +8,8 @@ from program import ProgramTest
 
 REPLAY_KEYS = {"schema", "frames", "chip_load_mm", "bank", "parameters", "gap", "health", "timing"}
 GAP_KEYS = {"verdict", "where", "effect", "alias_set", "confidence", "evidence"}
+OWN_SETTINGS = {"hypotheses": 5, "first_hypothesis_mm": 0.03, "hypothesis_step_mm": 0.0075,
+                "speed_process_noise_rad_s": 0.5, "switch_probability": 0.002}
 
 
 class SimulateAndReplay(ProgramTest):
@@ -226,6 +228,39 @@ class SimulateAndReplay(ProgramTest):
             again = self.must_do("config", "--machine", "machine.toml").stdout
             self.assertIn(f" (--machine {name}: ", said)
             self.assertEqual(re.sub(r" \(--machine .*\)", "", said), again)
+
+    def with_settings(self, name):
+        """The reference machine's file with a bank and a tuning of its own: what config shows behind a # is stated."""
+        text = self.must_do("config").stdout
+        for key, value in OWN_SETTINGS.items():
+            text = re.sub(rf"^# {key} = .*$", f"{key} = {value}", text, count=1, flags=re.MULTILINE)
+        self.write(name, text.replace('rule = "markov"', 'rule = "bayesian"'))
+
+    def settings_of(self, name):
+        text = self.must_do("config", "--machine", name).stdout
+        return {key: re.search(rf"^{key} = (\S+)", text, re.MULTILINE).group(1) for key in (*OWN_SETTINGS, "rule")}
+
+    def test_hypotheses_and_tuning_are_those_of_the_machine_file(self):
+        self.with_settings("own.toml")
+        self.must_do("simulate", "--duration", "2", "--out", "run.csv")
+        usual, own = self.replay("run.csv"), self.replay("run.csv", "--machine", "own.toml")
+        self.assertEqual([round(x, 9) for x in own["bank"]["hypotheses_mm"]], [0.03, 0.0375, 0.045, 0.0525, 0.06])
+        self.assertEqual(own["bank"]["rule"], "bayesian")
+        self.assertEqual(len(usual["bank"]["hypotheses_mm"]), 10)
+        self.assertNotEqual(own["chip_load_mm"]["standard_error"], usual["chip_load_mm"]["standard_error"])
+
+    def test_commands_that_write_a_machine_keep_its_settings(self):
+        self.with_settings("own.toml")
+        said = {**{key: str(value) for key, value in OWN_SETTINGS.items()}, "rule": '"bayesian"'}
+        self.assertEqual(self.settings_of("own.toml"), said)
+        self.must_do("simulate", "--machine", "own.toml", "--profile", "rich", "--duration", "2", "--machine-out",
+                     "sheet.toml", "--out", "run.mrec")
+        self.must_do("identify", "run.mrec", "--machine", "own.toml", "--apply", "identified.toml")
+        self.must_do("diagnose", "run.mrec", "--machine", "own.toml", "--bootstrap", "0", "--apply", "found.toml")
+        # Without --machine it is the recording's, which was made with these settings.
+        self.must_do("identify", "run.mrec", "--apply", "recorded.toml")
+        for name in ("sheet.toml", "identified.toml", "found.toml", "recorded.toml"):
+            self.assertEqual(self.settings_of(name), said, name)
 
     def test_the_datasheet_is_wrong_by_the_fraction(self):
         self.must_do("simulate", "--duration", "0.01", "--datasheet-error", "0.1", "--machine-out", "sheet.toml",

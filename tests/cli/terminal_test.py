@@ -86,6 +86,16 @@ class Progress(Terminal):
         self.assertIn(b"diagnose: ", shown)  # slow enough to show progress at all
         self.assertRegex(shown, rb"\r\x1b\[Krecording ")
 
+    def test_a_log_of_a_long_search_has_a_line_a_second_at_most(self):
+        self.must_do("simulate", "--profile", "rich", "--duration", 8, "--effect", "feed_coulomb_friction=6",
+                     "--datasheet-error", "0.1", "--machine-out", "sheet.toml", "--out", "run.csv")
+        for command in ("identify", "diagnose"):
+            start = time.monotonic()
+            lines = self.in_log(command, "run.csv", "--machine", "sheet.toml").splitlines()
+            self.assertTrue(1 <= len(lines) <= time.monotonic() - start + 1, lines)
+            for line in lines:
+                self.assertRegex(line, rb"^" + command.encode() + rb": [a-z]+(, pass \d+|(, \d+ %, \d+ s left)?)$")
+
     def test_a_log_has_plain_lines_in_tenths(self):
         errors = self.in_log(*self.LONG)
         self.assertNotIn(ESCAPE, errors)

@@ -20,8 +20,8 @@ export async function startBrowser() {
   });
 }
 
-/** Opens a file; `faults` collects errors, warnings of the page's own and every request beyond the file. */
-export async function openPage(browser, file, { size = DESKTOP, colorScheme = "light", has3d = true } = {}) {
+/** Opens a file; `faults` collects errors, warnings of the page's own and every request beyond the file; `onStart` runs in the page before anything of it. */
+export async function openPage(browser, file, { size = DESKTOP, colorScheme = "light", has3d = true, onStart } = {}) {
   const context = await browser.newContext({ viewport: size, colorScheme });
   context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();
@@ -34,6 +34,7 @@ export async function openPage(browser, file, { size = DESKTOP, colorScheme = "l
   page.on("request", (request) => {
     if (request.url() !== address && !request.url().startsWith("data:")) faults.push(`request: ${request.url()}`);
   });
+  if (onStart) await page.addInitScript(onStart);
   if (!has3d) {
     await page.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, {

@@ -54,47 +54,52 @@ TEST(MachineFile, ChoosesTheBuiltInMachinesOwnGrids) {
   }
 }
 
-TEST(MachineFile, KeepsWhatWasFoundForTheWatch) {
+TEST(MachineFile, KeepsEverySettingThatIsStated) {
   MachineDescription written = built_in_machine("reference");
-  written.has_gap = true;
-  double value = 1.25;
-  for (const GapKey& key : gap_keys()) key.of(written.configuration.gap) = value += 1.0;
-  MachineDescription machine = read(machine_file_text(written));
-  EXPECT_TRUE(machine.has_gap);
-  for (const GapKey& key : gap_keys())
-    EXPECT_EQ(key.of(machine.configuration.gap), key.of(written.configuration.gap)) << key.key;
+  for (const SettingKey& key : setting_keys()) {
+    const double usual = key.get(written.configuration);
+    const double other = key.is_whole ? 7.0 : key.key == "low_ratio" ? 0.7 : 1.0625 * usual;
+    key.set(written.configuration, other);
+    written.stated.insert(full_name(key));
+  }
+  written.configuration.rule = DecisionRule::kBayesian;
+  const MachineDescription machine = read(machine_file_text(written));
+  EXPECT_EQ(machine.stated, written.stated);
+  EXPECT_EQ(machine.configuration.rule, DecisionRule::kBayesian);
+  for (const SettingKey& key : setting_keys())
+    EXPECT_EQ(key.get(machine.configuration), key.get(written.configuration)) << full_name(key);
 }
 
-TEST(MachineFile, WithoutAGapTableTheWatchGetsTheBuiltInMachinesOwnSettings) {
+TEST(MachineFile, WhatIsNotStatedIsChosenFromTheRest) {
   for (const char* name : {"reference", "thesis"}) {
-    MachineDescription built_in = built_in_machine(name);
-    MachineDescription machine = read(machine_file_text(built_in));
-    EXPECT_FALSE(machine.has_gap);
-    for (const GapKey& key : gap_keys())
-      EXPECT_NEAR(key.of(machine.configuration.gap), key.of(built_in.configuration.gap), 1e-12) << key.key;
+    const MonitorConfiguration built_in = built_in_machine(name).configuration;
+    const MonitorConfiguration chosen = chosen_for(built_in, true);
+    const MachineDescription machine = read(machine_file_text(built_in_machine(name)));
+    for (const SettingKey& key : setting_keys()) {
+      EXPECT_NEAR(key.get(machine.configuration), key.get(chosen), 1e-12) << full_name(key);
+      if (key.table != "tuning") {
+        EXPECT_NEAR(key.get(machine.configuration), key.get(built_in), 1e-12) << full_name(key);
+      }
+      EXPECT_EQ(machine.stated.contains(full_name(key)), key.origin.empty()) << full_name(key);
+    }
   }
 }
 
-TEST(MachineFile, KeepsWhatIsCalledABluntTool) {
-  MachineDescription written = built_in_machine("reference");
-  written.configuration.wear = {.watch_ratio = 1.3,
-                                .replace_ratio = 1.7,
-                                .low_ratio = 0.7,
-                                .hold_s = 0.25,
-                                .datasheet_tolerance = 0.02};
-  MachineDescription machine = read(machine_file_text(written));
-  for (const WearKey& key : wear_keys())
-    EXPECT_EQ(key.of(machine.configuration.wear), key.of(written.configuration.wear)) << key.key;
-  WearLimits usual;
-  MachineDescription unsaid = read("[feed]\nmass_kg = 95\n");
-  for (const WearKey& key : wear_keys())
-    EXPECT_EQ(key.of(unsaid.configuration.wear), key.of(usual)) << key.key;
-}
-
-TEST(MachineFile, AGapTableMayStateOnlySomeKeys) {
+TEST(MachineFile, ATableMayStateOnlySomeKeys) {
   const GapTuning gap = read("[feed]\nmass_kg = 95\n[gap]\nfeed_evidence = 77\n").configuration.gap;
   EXPECT_EQ(gap.feed.evidence, 77.0);
   EXPECT_EQ(gap.spindle.evidence, gap::GapLimits{}.evidence);
+}
+
+TEST(MachineFile, WhatFollowsAStatedValueFollowsIt) {
+  const std::string machine = machine_file_text(built_in_machine("reference"));
+  const std::string bank = "[bank]\n";
+  std::string text = machine;
+  text.replace(text.find(bank), bank.size(),
+               "[bank]\nfirst_hypothesis_mm = 0.04\nhypothesis_step_mm = 0.02\n");
+  const MonitorConfiguration c = read(text).configuration;
+  EXPECT_EQ(c.grid.count, 4U) << "0.04 .. 0.1 mm: the law ends at 0.1175 mm";
+  EXPECT_NEAR(c.tuning.chip_load_drift_mm, 0.005 * 0.02, 1e-15);
 }
 
 TEST(MachineFile, DescribesOnlyTheTablesThatAreThere) {
@@ -128,6 +133,13 @@ TEST(EstimatorChoice, GridHoldsTheNominalChipLoadInsideTheLawWithinTheBank) {
       EXPECT_TRUE(std::make_unique<BoardMonitor>()->configure(configuration).ok()) << teeth << ' ' << share;
     }
   }
+}
+
+TEST(EstimatorChoice, NoRateMakesAStatedSwitchProbabilitySmaller) {
+  MonitorConfiguration configuration = reference_configuration();
+  configuration.tuning.switch_probability = 0.5;
+  set_rate(configuration, 9999.0);
+  EXPECT_EQ(configuration.tuning.switch_probability, 0.5);
 }
 
 TEST(EstimatorChoice, RateChangesTheNoisePerStepAndNotPerSecond) {

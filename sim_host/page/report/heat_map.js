@@ -33,8 +33,10 @@ function lead(cell, { from, to }, view) {
   cell.setAttribute("role", "button");
   cell.title += "; shows this time in all charts";
   cell.addEventListener("click", () => view.set(from, to));
-  cell.addEventListener("keydown", ({ key }) => {
-    if (key === "Enter") view.set(from, to);
+  cell.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    view.set(from, to);
   });
   return cell;
 }

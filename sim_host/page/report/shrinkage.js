@@ -1,3 +1,4 @@
+import { shown } from "../shared/number.js";
 import { barOf, barWithInterval, element, percent, spoken } from "./element.js";
 
 const MODELS = [
@@ -48,7 +49,7 @@ export function addShrinkage(place, { shrinkage, which }) {
   else place.append(element("p", { className: "muted", text: NO_EFFECT }));
   place.append(element("p", { className: "muted", text: HELD_OUT }));
   const { horizon_s: horizon } = shrinkage.free_run_nrmse;
-  group(place, `Error of a free run over ${horizon} s, relative to what moves`, shrinkage.free_run_nrmse,
+  group(place, `Error of a free run over ${shown(horizon)} s, relative to what moves`, shrinkage.free_run_nrmse,
     shrinkage.free_run_nrmse_ci90);
   group(place, "Error of one step, relative to what moves", shrinkage.one_step_nrmse,
     shrinkage.one_step_nrmse_ci90);

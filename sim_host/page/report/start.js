@@ -1,7 +1,6 @@
 import "../shared/theme.css";
 import "./style.css";
 import "./gap.css";
-import "./print.css";
 import { element } from "./element.js";
 import { phaseLegend, phaseSpans } from "./phases.js";
 import { SeriesStore } from "./series.js";

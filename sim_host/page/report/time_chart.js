@@ -78,6 +78,7 @@ export function followView(place, view, addIt) {
   whenNear(place, () => {
     const chart = addIt();
     chart.figure.tabIndex = 0;
+    chart.figure.setAttribute("aria-describedby", "keys");
     let isNear = true;
     let isOld = false;
     const refresh = () => {

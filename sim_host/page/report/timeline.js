@@ -64,7 +64,7 @@ function addStrips(place, list, context) {
   };
   followView(place, view, () => {
     const drawn = addChart(place, {
-      title: "What happened when", x: "time, s", y: "1", height: ROW_PX * list.length + 50, sync: CURSOR,
+      title: "What happened when", x: "time, s", y: "1", hasLines: false, height: ROW_PX * list.length + 50, sync: CURSOR,
       series: list.map((strip, i) => ({
         label: strip.title, color: 7,
         more: { points: { show: false },

@@ -71,7 +71,7 @@ export function addViewBar(place, view, legend) {
     return button;
   });
   const hint = Object.assign(document.createElement("span"), {
-    className: "muted hint",
+    className: "muted hint", id: "keys",
     textContent: "Drag over a chart to zoom, double click for the whole; keys + − ← → 0 on a chart.",
   });
   place.append(...buttons, label, legend, hint);

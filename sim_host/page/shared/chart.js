@@ -49,18 +49,44 @@ function optionsOf({ x, series, height, sync, plugins = [], scales = {}, adjust 
   });
 }
 
+/** What it shows, for who does not see it. */
+function describe(plot, name) {
+  plot.ctx.canvas.setAttribute("role", "img");
+  plot.ctx.canvas.setAttribute("aria-label", name);
+}
+
+/** A line's name in the legend hides the line: by mouse, and by key. */
+function addLegendKeys(plot) {
+  const names = [...plot.root.querySelectorAll(".u-legend .u-series:not(:first-child) .u-label")];
+  for (const [i, name] of names.entries()) {
+    if (name.textContent === "") continue;
+    const tell = () => name.setAttribute("aria-pressed", plot.series[i + 1].show);
+    name.tabIndex = 0;
+    name.setAttribute("role", "button");
+    name.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      name.click();
+    });
+    plot.hooks.setSeries = [...(plot.hooks.setSeries ?? []), tell];
+    tell();
+  }
+}
+
 /**
  * A chart that follows the width of its place and the theme.
  * `description`: {title, x, y, series: [{label, color?, dash?, points?, more?}], height, sync?, plugins?, adjust?};
  * `more` and `adjust` are for uPlot's own options of a series and of the chart.
+ * `hasLines`: false where a plugin draws all that there is, so that no line can be hidden.
  * `data`: uPlot's columns, x first, or a function that gives them for a width.
  */
 export function addChart(place, description, data) {
   const figure = document.createElement("figure");
   figure.className = "chart";
-  figure.setAttribute("aria-label", description.title);
   const heading = document.createElement("h2");
   heading.textContent = description.y === "1" ? description.title : `${description.title}, ${description.y}`;
+  figure.setAttribute("aria-label", heading.textContent);
+  const lines = description.series.map(({ label }) => label).filter(Boolean).join(", ");
   const body = document.createElement("div");
   figure.append(heading, body);
   place.append(figure);
@@ -70,6 +96,8 @@ export function addChart(place, description, data) {
   const draw = () => {
     chart.plot?.destroy();
     chart.plot = new uPlot(optionsOf(description, width()), columns(width()), body);
+    describe(chart.plot, `${heading.textContent} over ${description.x}: ${lines}`);
+    if (description.hasLines !== false) addLegendKeys(chart.plot);
   };
   draw();
   new ResizeObserver(() => {

@@ -24,7 +24,8 @@ export function addControls(place, player, speeds) {
     player.speed = Number(speed.value);
   });
   place.addEventListener("keydown", (event) => {
-    if (event.target.matches("select, button, input")) return;
+    const isNative = event.target.matches("select, button") || (event.target.matches("input") && event.key !== " ");
+    if (isNative) return;
     const step = (player.end - player.start) / 100;
     const actions = { " ": () => player.toggle(), ArrowLeft: () => player.seek(player.time - step),
       ArrowRight: () => player.seek(player.time + step), Home: () => player.seek(player.start),

@@ -3,14 +3,15 @@ import { addControls, CONTROLS } from "./player_controls.js";
 import { View } from "./scene.js";
 
 const MARKUP = `
-<div id="scene" tabindex="0" role="img" aria-label="The machine in 3-D; drag to orbit, wheel to zoom"></div>
+<div id="scene" tabindex="0" role="application" aria-label="The machine in 3-D"
+aria-describedby="hint"></div>
 <p id="no-view" class="warning" hidden>
 This browser shows no 3-D (WebGL is off); curves and values work without it.</p>
 ${CONTROLS}
 <div class="readout"></div>
 <p id="hint" class="muted"></p>
 `;
-const KEYS = "With the picture in focus space plays, arrow keys step, Home and End go to the ends.";
+const KEYS = "With the picture in focus space plays and pauses, arrow keys step, Home and End go to the ends.";
 
 function hintOf(view) {
   if (!view) return KEYS;
