@@ -7,7 +7,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr int kMostSteps = 60;        // slow sampling needs many: its slopes are rough
+constexpr int kMostSteps = 60;        // a start that is far off, sampled slowly, needs twenty
 constexpr double kLargestStep = 0.7;  // of a logarithm
 constexpr double kSmallStep =
     0.1;  // of a standard error: of steps that shrink by a quarter, the rest is three times that
