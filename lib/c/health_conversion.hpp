@@ -21,6 +21,7 @@ inline void copy_parameter(const ParameterEstimate& from, morepro_parameter& to)
   to.value = from.value;
   to.standard_error = from.standard_error;
   set(from.status, to.status);
+  set(from.partner, to.partner);
   to.is_identifiable = from.status == ParameterStatus::kIdentifiable ? 1 : 0;
 }
 

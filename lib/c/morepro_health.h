@@ -58,12 +58,20 @@ enum {
   MOREPRO_PARAMETER_IDENTIFIABLE = 5
 };
 
+/// morepro_parameter::partner: the index of a parameter, or one of these.
+enum {
+  MOREPRO_PARTNER_CONTACT_OFFSET_N =
+      MOREPRO_PARAMETERS,  ///< contact_offset_n of the machine, never identified
+  MOREPRO_PARTNER_NONE = 255
+};
+
 /// value +- standard_error where is_identifiable, else the last value with its (large) standard error.
 typedef struct morepro_parameter {
   float value;
   float standard_error;
   uint8_t status;           ///< MOREPRO_PARAMETER_...
   uint8_t is_identifiable;  ///< 1 or 0
+  uint8_t partner;          ///< only a combination with it is determined; read with CORRELATED, IDENTIFIABLE
 } morepro_parameter;
 
 /// morepro_gap::verdict.

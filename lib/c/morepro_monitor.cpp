@@ -49,8 +49,7 @@ morepro::SensorFrame to_cpp(const morepro_frame& frame) {
 
 void write(const BoardMonitor& monitor, morepro_health& health) {
   morepro::c::copy_health(monitor.health(), health);
-  for (std::size_t i = 0; i < MOREPRO_HYPOTHESES; ++i)
-    health.probability[i] = i < monitor.hypothesis_count() ? monitor.probability(i) : 0.0F;
+  for (std::size_t i = 0; i < MOREPRO_HYPOTHESES; ++i) health.probability[i] = monitor.probability(i);
 }
 
 morepro_error refuse(morepro_error error, const char* key, const char** refused_key) {

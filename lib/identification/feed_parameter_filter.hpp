@@ -80,8 +80,12 @@ class FeedParameterFilter {
     const Real from_contact = -pushed * per_mass;
     Values slope{-acceleration, from_contact};
     if constexpr (Mode::kIsAnchored) {
-      if (!deviation_.is_still) v_regressor() = v_;
-      slope[0] -= viscous_friction_ * (v_ - v_regressor()) * per_mass;
+      // At rest the force only answers to noise, and friction carries it: beside a held speed it would look
+      // like an acceleration.
+      if (!deviation_.is_still)
+        v_regressor() = v_;
+      else if (viscous_friction_ > Real(0))
+        slope[0] = Real(0);
     }
     if constexpr (Mode::kFindsFriction) slope[kFriction] = -viscous_friction_ * v_regressor() * per_mass;
     std::array<Values, 2> g;

@@ -29,12 +29,21 @@ enum class ParameterStatus : std::uint8_t {
   kIdentifiable = 5,
 };
 
+/// With which value only a combination is determined: the numbers of Parameter, and two more.
+enum class Partner : std::uint8_t {
+  kContactOffset = kParameterCount,  ///< of the feed axis: a constant engagement never tells it apart
+  kNone = 255,
+};
+constexpr Partner partner_named(Parameter parameter) { return static_cast<Partner>(parameter); }
+constexpr bool is_parameter(Partner partner) { return partner < Partner::kContactOffset; }
+
 /// value +- standard_error in the unit of the machine file; meaningful where status is kIdentifiable, the
 /// last value with its (large) standard error otherwise.
 struct ParameterEstimate {
   float value = 0.0F;
   float standard_error = 0.0F;
   ParameterStatus status = ParameterStatus::kNoSignal;
+  Partner partner = Partner::kNone;  ///< meaningful where status is kCorrelated or kIdentifiable
 };
 
 /// What the monitor says after one frame. Reason codes are explained in reason.hpp.

@@ -84,7 +84,8 @@ class Monitor {
   [[nodiscard]] float hypothesis_mm(std::size_t index) const {
     return static_cast<float>(configuration_.grid.value_mm(index));
   }
-  /// Of a hypothesis, given the measurements in contact so far; equal for all before the first contact.
+  /// Of a hypothesis, given the measurements in contact so far; equal for all before the first contact. 0
+  /// from hypothesis_count() on.
   [[nodiscard]] float probability(std::size_t index) const { return estimators_.spindle.probability(index); }
 
  private:

@@ -139,11 +139,19 @@ class ParameterTracker {
   }
 
   void report_spindle(SpindleParameter parameter, ParameterEstimate& estimate) const {
-    float correlation = 0.0F;
-    for (std::size_t k = 0; k < kSpindleParameterCount; ++k)
-      correlation =
-          larger(correlation, correlation_squared(spindle_, parameter, static_cast<SpindleParameter>(k)));
-    write(spindle_, parameter, correlation, estimate);
+    // In the order of SpindleParameter.
+    constexpr std::array kParameters{Parameter::kTorqueConstant, Parameter::kInertia, Parameter::kInductance,
+                                     Parameter::kResistance, Parameter::kBackEmfConstant};
+    float most = 0.0F;
+    Parameter partner{};
+    for (std::size_t k = 0; k < kSpindleParameterCount; ++k) {
+      const float now = correlation_squared(spindle_, parameter, static_cast<SpindleParameter>(k));
+      const bool is_more = now > most;
+      most = is_more ? now : most;
+      partner = is_more ? kParameters[k] : partner;
+    }
+    write(spindle_, parameter, most, estimate);
+    estimate.partner = is_correlated(most) ? partner_named(partner) : Partner::kNone;
     estimate.status = !spindle_seen_                 ? ParameterStatus::kNoSignal
                       : !samples_inductance()        ? ParameterStatus::kSamplingTooSlow
                       : does_not_fit(spindle_ratio_) ? ParameterStatus::kModelMismatch
@@ -153,7 +161,12 @@ class ParameterTracker {
   void report_feed(FeedParameter parameter, ParameterEstimate& estimate) const {
     const auto other =
         parameter == FeedParameter::kMass ? FeedParameter::kContactForce : FeedParameter::kMass;
-    write(feed_, parameter, correlation_squared(feed_, parameter, other), estimate);
+    const float correlation = correlation_squared(feed_, parameter, other);
+    write(feed_, parameter, correlation, estimate);
+    const bool is_mass = parameter == FeedParameter::kMass;
+    estimate.partner = is_correlated(correlation)
+                           ? partner_named(is_mass ? Parameter::kContactForce : Parameter::kMass)
+                           : (is_mass ? Partner::kNone : Partner::kContactOffset);
     estimate.status = !feed_seen_                 ? ParameterStatus::kNoSignal
                       : does_not_fit(feed_ratio_) ? ParameterStatus::kModelMismatch
                                                   : estimate.status;
@@ -165,7 +178,9 @@ class ParameterTracker {
                                          spindle_.value(SpindleParameter::kResistance) * period_s_;
   }
 
-  static float larger(float a, float b) { return a > b ? a : b; }
+  static bool is_correlated(float correlation_squared) {
+    return correlation_squared > kCorrelated * kCorrelated;
+  }
   /// One spike is no misfit of the model, many in a row are.
   static float capped(float nis) {
     constexpr auto kLargest = static_cast<float>(OutlierGate<float>::kLargest);
@@ -192,9 +207,9 @@ class ParameterTracker {
     const bool is_on_null_line = correlation_squared > kNullLine * kNullLine && variance > kSharp * kSharp;
     const bool is_learnt = variance <= kUsableError * kUsableError &&
                            variance <= kLearnt * filter.start_variance() && !is_on_null_line;
-    estimate.status = is_learnt                                         ? ParameterStatus::kIdentifiable
-                      : correlation_squared > kCorrelated * kCorrelated ? ParameterStatus::kCorrelated
-                                                                        : ParameterStatus::kNoExcitation;
+    estimate.status = is_learnt                            ? ParameterStatus::kIdentifiable
+                      : is_correlated(correlation_squared) ? ParameterStatus::kCorrelated
+                                                           : ParameterStatus::kNoExcitation;
   }
 
   float period_s_;

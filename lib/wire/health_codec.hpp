@@ -7,7 +7,8 @@ namespace morepro::wire {
 
 template <>
 inline constexpr auto kFields<ParameterEstimate> =
-    std::tuple{&ParameterEstimate::value, &ParameterEstimate::standard_error, &ParameterEstimate::status};
+    std::tuple{&ParameterEstimate::value, &ParameterEstimate::standard_error, &ParameterEstimate::status,
+               &ParameterEstimate::partner};
 
 template <>
 inline constexpr auto kFields<Health> = std::tuple{
@@ -70,6 +71,11 @@ constexpr bool is_known(ParameterStatus status) {
       return true;
   }
   return false;
+}
+
+template <>
+constexpr bool is_known(Partner partner) {
+  return is_parameter(partner) || partner == Partner::kContactOffset || partner == Partner::kNone;
 }
 
 inline constexpr std::size_t kHealthPayload = wire_size<Health>();

@@ -10,7 +10,7 @@
 namespace morepro::wire {
 
 /// Version of this protocol, sent in Ready. It changes with any change of framing or of a record's meaning.
-inline constexpr std::uint8_t kProtocolVersion = 2;
+inline constexpr std::uint8_t kProtocolVersion = 3;
 
 /// First byte of every record. The numbers are fixed: recordings hold them.
 enum class RecordType : std::uint8_t {

@@ -34,6 +34,9 @@ path.toml, or a --chain file (every table is optional; an own chain follows the 
   [inverse]
   method = "clik"             # or "closed_form", for the built-in machine
   gain_per_s = 50
+  [limits]                    # a segment whose time needs more is refused
+  max_speed_m_s = 0.5
+  max_acceleration_m_s2 = 5
   [[joint]]
   kind = "revolute"           # or "prismatic"
   a_m = 0.5
@@ -77,7 +80,11 @@ void take_points(const KinematicsArguments& arguments, KinematicsJob& job) {
     KinematicsJob points = read_kinematics_file(arguments.path);
     if (!arguments.chain.empty() && !points.chain.is_built_in)
       throw UserError(fmt::format("{} holds a chain, and so does --chain; give one", arguments.path));
-    if (!arguments.chain.empty()) points.chain = job.chain;
+    if (!arguments.chain.empty()) {
+      const ToolLimits limits = stricter_of(points.chain.limits, job.chain.limits);
+      points.chain = job.chain;
+      points.chain.limits = limits;
+    }
     job = std::move(points);
   } else if (arguments.path.ends_with(".csv")) {
     job.points.clear();

@@ -128,7 +128,7 @@ void add_simulate(CLI::App& program) {
   command->add_option("--machine", arguments->machine, "'reference', 'thesis' or a machine file")
       ->capture_default_str();
   command->add_option("--profile", arguments->profile, "what the machine does")
-      ->check(one_of({"rich", "commissioning", "production", "cutting"}))
+      ->check(one_of(std::vector<std::string>(kProfileNames.begin(), kProfileNames.end())))
       ->capture_default_str();
   command->add_option("--duration", arguments->duration_s, "length of the recording in s")
       ->check(between(0.001, 86400.0, "s"))

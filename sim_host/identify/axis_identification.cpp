@@ -7,9 +7,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr int kMostSteps = 60;         // slow sampling needs many: its slopes are rough
-constexpr double kLargestStep = 0.7;   // of a logarithm
-constexpr double kShortestStep = 0.1;  // of a proposed one
+constexpr int kMostSteps = 60;        // a start that is far off, sampled slowly, needs twenty
+constexpr double kLargestStep = 0.7;  // of a logarithm
 constexpr double kSmallStep =
     0.1;  // of a standard error: of steps that shrink by a quarter, the rest is three times that
 constexpr double kVague = 0.05;             // what is known no better need not stand still
@@ -49,30 +48,23 @@ class Search {
     return Pass(signals_, configuration_, rows).run(at_, share);
   }
 
-  /// Gauss-Newton steps until nothing moves, shorter ones where a step would explain less.
+  /// Gauss-Newton steps until nothing moves. A step may explain less and still be right: shorter ones, tried
+  /// on 64 recordings, ended at the same values after up to twice as many passes.
   void settle() {
     found_ = pass(share_, signals_.rows);
     has_settled_ = is_small_step(found_);
     for (int step = 0; step < kMostSteps && !has_settled_; ++step) {
-      const Values from = at_, to = found_.value;
-      Result next;
-      for (double length = 1.0; length > kShortestStep; length *= 0.5) {
-        at_ = between(from, to, length);
-        next = pass(share_, signals_.rows);
-        if (next.log_likelihood > found_.log_likelihood - kWorthIt) break;
-      }
-      found_ = std::move(next);
+      move_to(found_.value);
+      found_ = pass(share_, signals_.rows);
       has_settled_ = is_small_step(found_);
     }
   }
 
-  /// `length` of the way, at most by a factor of two.
-  static Values between(const Values& from, const Values& to, double length) {
-    Values values = from;
+  /// At most by a factor of two.
+  void move_to(const Values& values) {
     for (std::size_t j = 0; j < values.size(); ++j)
-      if (from[j] > 0.0)
-        values[j] *= std::exp(length * std::clamp(std::log(to[j] / from[j]), -kLargestStep, kLargestStep));
-    return values;
+      if (at_[j] > 0.0)
+        at_[j] *= std::exp(std::clamp(std::log(values[j] / at_[j]), -kLargestStep, kLargestStep));
   }
 
   bool is_small_step(const Result& next) const {

@@ -44,6 +44,11 @@ std::string_view name_of(MachineValue value);
 /// What a recording must hold so that it can be told.
 const char* excitation_for(MachineValue value);
 
+/// What an identified contact force rests on: no constant engagement tells the two apart.
+inline constexpr const char* kWithContactOffset =
+    "only together with contact_offset_n, which is taken for the datasheet's; to tell them apart, record "
+    "different engagements";
+
 /// Where a machine keeps it.
 double& value_in(MachineParameters& machine, MachineValue value);
 double value_in(const MachineParameters& machine, MachineValue value);

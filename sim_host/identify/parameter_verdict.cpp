@@ -19,9 +19,6 @@ constexpr double kColoured = 0.5;  // correlation of innovations of a model that
 
 constexpr double kGovernsIt = 0.5;  // of the variance of a value: that much comes from another one
 
-constexpr const char* kWithOffset =
-    "only together with contact_offset_n, which is taken for the datasheet's; to tell them apart, record "
-    "different engagements";
 constexpr const char* kWithFriction =
     "as right as {} of the machine file, which this recording does not tell and which is taken for known to "
     "{:.0f} %";
@@ -82,7 +79,7 @@ std::size_t partner_of(const AxisEstimate& e, std::size_t index) {
 
 /// What a value rests on that the recording does not tell.
 std::string assumption_of(const AxisEstimate& e, std::size_t index) {
-  std::string text = e.names[index] == MachineValue::kContactForce ? kWithOffset : "";
+  std::string text = e.names[index] == MachineValue::kContactForce ? kWithContactOffset : "";
   const std::size_t last = e.names.size() - 1;
   const MachineValue friction = e.names[last];
   if (!is_friction(friction) || index == last || is_told(e, last)) return text;

@@ -42,8 +42,9 @@ class KinematicsFile {
   explicit KinematicsFile(const std::string& path) : reader_(path) { job_.file = path; }
 
   KinematicsJob read() {
-    reader_.check_keys(reader_.root(), {"joint", "links", "point", "placement", "inverse"}, "");
+    reader_.check_keys(reader_.root(), {"joint", "links", "limits", "point", "placement", "inverse"}, "");
     read_chain();
+    read_limits();
     read_placement();
     read_points();
     read_inverse();
@@ -136,6 +137,22 @@ class KinematicsFile {
     for (std::size_t i = 0; i < 3; ++i)
       angles_rad(static_cast<int>(i)) = reader_.angle_rad(table, kAngles[i]).value_or(0.0);
     return angles_rad;
+  }
+
+  void read_limits() {
+    const toml::table* table = reader_.table("limits");
+    if (table == nullptr) return;
+    reader_.check_keys(*table, {"max_speed_m_s", "max_acceleration_m_s2"}, " of [limits]");
+    ToolLimits& limits = job_.chain.limits;
+    limits.speed_m_s = limit(*table, "max_speed_m_s", limits.speed_m_s);
+    limits.acceleration_m_s2 = limit(*table, "max_acceleration_m_s2", limits.acceleration_m_s2);
+  }
+
+  double limit(const toml::table& table, std::string_view key, double none) const {
+    const double value = reader_.number(table, key, none);
+    if (!(value > 0.0))
+      reader_.refuse(*table.get(key), fmt::format("{} is impossible; give more than 0", key));
+    return value;
   }
 
   void read_placement() {

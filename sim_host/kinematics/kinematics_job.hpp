@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,11 +23,21 @@ struct PathPoint {
 
 enum class InverseMethod { kClosedForm, kClik };
 
+/// What the tool can do along a path; infinite where nobody said.
+struct ToolLimits {
+  double speed_m_s = std::numeric_limits<double>::infinity();
+  double acceleration_m_s2 = std::numeric_limits<double>::infinity();
+};
+inline ToolLimits stricter_of(const ToolLimits& a, const ToolLimits& b) {
+  return {std::min(a.speed_m_s, b.speed_m_s), std::min(a.acceleration_m_s2, b.acceleration_m_s2)};
+}
+
 /// The chain: the built-in machine, or a table of the user's own.
 struct ChainDescription {
   kinematics::MachineGeometry geometry;
   kinematics::DhTable table = kinematics::morepro_table();
   bool is_built_in = true;
+  ToolLimits limits = {};
 };
 
 /// How joints are found along a path.

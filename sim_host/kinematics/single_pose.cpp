@@ -45,8 +45,8 @@ JointVector<double> random_start(const DhTable& table, std::mt19937& random) {
     throw UserError("the pose is out of reach: " + off);
   throw UserError(fmt::format(
       "the pose is out of reach: the tool stays {:.3g} m and {:.3g} rad away; move it nearer, or give "
-      "the joints more room",
-      nearest.error.head<3>().norm(), nearest.error.tail<3>().norm()));
+      "the joints more room{}",
+      nearest.error.head<3>().norm(), nearest.error.tail<3>().norm(), too_few_joints(mobility, chain.table)));
 }
 
 }  // namespace

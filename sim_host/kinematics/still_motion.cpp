@@ -40,4 +40,16 @@ std::string off_along_still(const kinematics::Mobility<double>& mobility,
       turn.norm(), name, name);
 }
 
+std::string too_few_joints(const kinematics::Mobility<double>& mobility, const kinematics::DhTable& table) {
+  // The trace of a projector is the number of its directions; rows outside the task count as still.
+  double directions = 6.0;
+  for (int row = 0; row < 6; ++row)
+    directions -= mobility.still_part(kinematics::Twist<double>::Unit(row))(row);
+  if (std::lround(directions) <= static_cast<long>(table.count)) return {};
+  return fmt::format(
+      "; the points prescribe {} directions in which this chain can move, and it has {} joint{}, so nearly "
+      "every pose is out of reach: leave out the angles that may be free, or add joints",
+      std::lround(directions), table.count, table.count == 1 ? "" : "s");
+}
+
 }  // namespace morepro::host

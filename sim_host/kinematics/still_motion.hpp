@@ -10,4 +10,8 @@ namespace morepro::host {
 std::string off_along_still(const kinematics::Mobility<double>& mobility,
                             const kinematics::Twist<double>& error, double tolerance);
 
+/// "; the points prescribe 6 directions in which this chain can move, and it has 3 joints: .." where a task
+/// asks for more at a time than there are joints, so that only special poses are in reach; else empty.
+std::string too_few_joints(const kinematics::Mobility<double>& mobility, const kinematics::DhTable& table);
+
 }  // namespace morepro::host

@@ -48,6 +48,27 @@ void check_tilt(const KinematicsJob& job, const PathPoint& point) {
     throw UserError(point.place, "this machine cannot tilt its tool; pitch and yaw must be 0");
 }
 
+/// Of a trapezoid: top speed way/(T (1 - ramp)), acceleration way/(T^2 ramp (1 - ramp)).
+void check_limits(const KinematicsJob& job, const PathPoint& from, const PathPoint& to) {
+  const ToolLimits& limits = job.chain.limits;
+  const double way_m = (to.waypoint.position_m - from.waypoint.position_m).norm();
+  const double ramp = job.inverse.ramp_share, time_s = to.duration_s;
+  const double speed_m_s = way_m / (time_s * (1.0 - ramp));
+  const double acceleration_m_s2 = speed_m_s / (time_s * ramp);
+  const bool is_fast = speed_m_s > limits.speed_m_s;
+  if (!is_fast && !(acceleration_m_s2 > limits.acceleration_m_s2)) return;
+  const std::string need =
+      is_fast
+          ? fmt::format("{:.4g} m/s, [limits] allow {:g} m/s", speed_m_s, limits.speed_m_s)
+          : fmt::format("{:.4g} m/s2, [limits] allow {:g} m/s2", acceleration_m_s2, limits.acceleration_m_s2);
+  const double shortest_s = std::max(way_m / (limits.speed_m_s * (1.0 - ramp)),
+                                     std::sqrt(way_m / (limits.acceleration_m_s2 * ramp * (1.0 - ramp))));
+  throw UserError(
+      to.place,
+      fmt::format("duration_s = {:g} is impossible: {:.4g} m in it need {}; give the segment {:g} s or more",
+                  time_s, way_m, need, std::ceil(1000.0 * shortest_s) / 1000.0));
+}
+
 std::unique_ptr<HostPath> path_of(const KinematicsJob& job) {
   if (job.points.size() < 2) {
     throw UserError(TextPlace{job.file, 0, 0},
@@ -60,6 +81,7 @@ std::unique_ptr<HostPath> path_of(const KinematicsJob& job) {
     const PathError error = path->add(point.waypoint, point.duration_s);
     if (error != PathError::kNone)
       throw UserError(point.place, sentence_of(error, point, job.inverse.ramp_share));
+    if (path->points() > 1) check_limits(job, *(&point - 1), point);
   }
   return path;
 }
@@ -161,9 +183,9 @@ class ReachCheck {
   }
 
   [[noreturn]] void refuse(const TrajectoryRow& row, std::size_t point, const std::string& why) const {
-    throw UserError(
-        job_.points[point].place,
-        fmt::format("the path is out of reach at {:.6g} s, on the way to this point: {}", row.time_s, why));
+    throw UserError(job_.points[point].place,
+                    fmt::format("the path is out of reach at {:.6g} s, on the way to this point: {}{}",
+                                row.time_s, why, too_few_joints(mobility_, job_.chain.table)));
   }
 
   const KinematicsJob& job_;

@@ -1,5 +1,7 @@
 #include "sim_host/replay/names.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <bit>
 
@@ -43,14 +45,19 @@ std::string_view name_of(FrameFlag flag) {
   return at(kNames, static_cast<std::size_t>(std::countr_zero(bits_of(flag))));
 }
 
-std::string_view reason_of(ParameterStatus status) {
-  switch (status) {
+std::string_view name_of(Partner partner) {
+  if (partner == Partner::kContactOffset) return "contact_offset_n";
+  return is_parameter(partner) ? name_of(static_cast<Parameter>(partner)) : "another parameter";
+}
+
+std::string reason_of(const ParameterEstimate& estimate) {
+  switch (estimate.status) {
     case ParameterStatus::kNoSignal:
       return "a signal that it needs is not recorded";
     case ParameterStatus::kNoExcitation:
       return "not excited in the frames that may teach it";
     case ParameterStatus::kCorrelated:
-      return "only a combination with another parameter is determined";
+      return fmt::format("only a combination with {} is determined", name_of(estimate.partner));
     case ParameterStatus::kModelMismatch:
       return "the model does not fit the recording, so its parameters mean nothing";
     case ParameterStatus::kSamplingTooSlow:

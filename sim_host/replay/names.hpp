@@ -17,10 +17,12 @@ std::string_view name_of(DecisionRule rule);
 std::string_view name_of(ChipLoadState state);
 /// Key of the machine file, for example "inertia_kgm2".
 std::string_view name_of(Parameter parameter);
+/// The same, of what a parameter is told with only.
+std::string_view name_of(Partner partner);
 /// "duplicate", as in JSON.
 std::string_view name_of(FrameFlag flag);
 /// One clause: why a parameter may not be used; empty where it may.
-std::string_view reason_of(ParameterStatus status);
+std::string reason_of(const ParameterEstimate& estimate);
 
 /// The datasheet's value.
 double datasheet_value(const MachineParameters& machine, Parameter parameter);

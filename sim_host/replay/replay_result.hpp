@@ -66,7 +66,9 @@ struct ReplayResult {
   [[nodiscard]] double frames_per_s() const { return static_cast<double>(frames) / elapsed_s; }
 };
 
-/// "" where the parameter was identified, else why not, and what would excite it.
+/// Why a parameter was not identified, and what would excite it; where it was, what its value rests on,
+/// mostly
+/// "".
 std::string reason_of(const ReplayResult& result, Parameter parameter);
 /// Does the machine file say something about the parameter?
 bool is_described(const ReplayResult& result, Parameter parameter);

@@ -30,8 +30,11 @@ bool is_described(const ReplayResult& result, Parameter parameter) {
 
 std::string reason_of(const ReplayResult& result, Parameter parameter) {
   if (!is_described(result, parameter)) return "the machine file does not describe it";
-  const ParameterStatus status = result.last.parameters[index_of(parameter)].status;
-  const std::string reason(reason_of(status));
+  const ParameterEstimate& estimate = result.last.parameters[index_of(parameter)];
+  const ParameterStatus status = estimate.status;
+  if (status == ParameterStatus::kIdentifiable && estimate.partner == Partner::kContactOffset)
+    return kWithContactOffset;
+  const std::string reason = reason_of(estimate);
   const bool excites_too_little =
       status == ParameterStatus::kNoExcitation || status == ParameterStatus::kCorrelated;
   return excites_too_little ? fmt::format("{}; it needs {}", reason, excitation_for(value_of(parameter)))

@@ -96,8 +96,9 @@ std::string parameter_text(const ReplayResult& r, Parameter parameter) {
   if (estimate.status != ParameterStatus::kIdentifiable) {
     return fmt::format("{} not identified: {}", datasheet, reason_of(r, parameter));
   }
-  return fmt::format("{} estimate {:.5g}, standard error {:.2g}", datasheet, estimate.value,
-                     estimate.standard_error);
+  const std::string assumption = reason_of(r, parameter);
+  return fmt::format("{} estimate {:.5g}, standard error {:.2g}{}{}", datasheet, estimate.value,
+                     estimate.standard_error, assumption.empty() ? "" : "; ", assumption);
 }
 
 std::string parameter_lines(const ReplayResult& r) {

@@ -15,6 +15,16 @@ enum Stream : std::uint64_t { kFastVoltage = 1, kSlowVoltage = 2, kForce = 3 };
 // +-4 N on the 3 kg axis of the built-in machines moves it visibly against its speed sensor.
 constexpr double kForceDitherNKg = 4.0 / 3.0;
 
+double force_noise(std::uint64_t seed, double time_s) {
+  return binary_signal(mixed(seed, kForce), time_s, 30.0e-3);
+}
+
+/// A fast and a slow part, each +1 or -1.
+double voltage_noise(std::uint64_t seed, double time_s) {
+  return binary_signal(mixed(seed, kFastVoltage), time_s, 1.0e-3) +
+         binary_signal(mixed(seed, kSlowVoltage), time_s, 20.0e-3);
+}
+
 bool is_on(double time_s, double on_s, double period_s) { return std::fmod(time_s, period_s) < on_s; }
 
 // +1 for a second, -1 for a second, a tenth of a second from one to the other.
@@ -75,6 +85,10 @@ Command Profile::asked(double time_s) const {
       return production(time_s);
     case ProfileKind::kCutting:
       return cutting(time_s);
+    case ProfileKind::kStep:
+      return step(time_s);
+    case ProfileKind::kPrbs:
+      return prbs(time_s);
   }
   return {};
 }
@@ -92,13 +106,11 @@ Command Profile::rich(double time_s) const {
   const double direction = reversing(time_s);
   const double speed = stepped(kSpeeds, time_s, 2.0);
   const double chip_load_mm = stepped_chip_load(time_s);
-  const double dither = binary_signal(mixed(seed_, kFastVoltage), time_s, 1.0e-3) +
-                        binary_signal(mixed(seed_, kSlowVoltage), time_s, 20.0e-3);
   const bool can_cut = std::fabs(direction) == 1.0 && speed != kSlow;
   return {.is_speed_controlled = false,
-          .voltage_v = point_.voltage_v * (direction * speed + 0.125 * dither),
+          .voltage_v = point_.voltage_v * (direction * speed + 0.125 * voltage_noise(seed_, time_s)),
           .feed_speed_m_s = feed_speed_for(machine_, direction * speed * point_.speed_rad_s, chip_load_mm),
-          .force_dither_n = force_scale_n_ * binary_signal(mixed(seed_, kForce), time_s, 30.0e-3),
+          .force_dither_n = force_scale_n_ * force_noise(seed_, time_s),
           .contact = can_cut && !is_on(time_s, 0.1, 0.2) ? 1.0 : 0.0,
           .chip_load_mm = chip_load_mm,
           .engagement = stepped(kEngagements, time_s, 0.7)};
@@ -117,7 +129,7 @@ Command Profile::commissioning(double time_s) const {
   const auto step = static_cast<std::size_t>(time_s) % kFractions.size();
   Command command = controlled(time_s, kFractions[step], point_.chip_load_mm);
   command.voltage_v = 0.05 * point_.voltage_v * binary_signal(mixed(seed_, kSlowVoltage), time_s, 20.0e-3);
-  command.force_dither_n = 0.5 * force_scale_n_ * binary_signal(mixed(seed_, kForce), time_s, 30.0e-3);
+  command.force_dither_n = 0.5 * force_scale_n_ * force_noise(seed_, time_s);
   command.contact = is_on(time_s, 0.5, 1.0) ? 0.0 : 1.0;
   return command;
 }
@@ -135,6 +147,25 @@ Command Profile::cutting(double time_s) const {
       controlled(time_s, 1.0, progress < 0.55 ? point_.chip_load_mm : point_.other_chip_load_mm);
   command.contact = progress >= 0.2 && progress < 0.9 ? 1.0 : 0.0;
   return command;
+}
+
+Command Profile::step(double time_s) const {
+  const double progress = time_s / duration_s_;
+  const double height = progress < 0.1 ? 0.0 : 1.0;
+  return {.is_speed_controlled = false,
+          .voltage_v = height * point_.voltage_v,
+          .feed_speed_m_s = height * feed_speed_for(machine_, point_.speed_rad_s, point_.chip_load_mm),
+          .contact = progress < 0.5 ? 0.0 : 1.0,
+          .chip_load_mm = point_.chip_load_mm};
+}
+
+Command Profile::prbs(double time_s) const {
+  return {.is_speed_controlled = false,
+          .voltage_v = point_.voltage_v * (1.0 + 0.125 * voltage_noise(seed_, time_s)),
+          .feed_speed_m_s = feed_speed_for(machine_, point_.speed_rad_s, point_.chip_load_mm),
+          .force_dither_n = force_scale_n_ * force_noise(seed_, time_s),
+          .contact = is_on(time_s, 0.1, 0.2) ? 0.0 : 1.0,
+          .chip_load_mm = point_.chip_load_mm};
 }
 
 }  // namespace morepro::host

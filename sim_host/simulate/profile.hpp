@@ -11,12 +11,14 @@ namespace morepro::host {
 /// rich: voltage and force dither, contact on and off, reversals, several speeds, one of them slow and
 /// without contact, steps of chip load and engagement: what identification and diagnosis want. commissioning:
 /// speed steps under control with moderate dither. production: one long cut, hardly any dither. cutting: spin
-/// up, contact, a change of the chip load during the cut, contact off. All but rich run forward; after each
-/// minute the table returns within five seconds, without contact.
-enum class ProfileKind : std::uint8_t { kRich, kCommissioning, kProduction, kCutting };
+/// up, contact, a change of the chip load during the cut, contact off. step: from rest one step of voltage
+/// and feed, later one of the contact, between them nothing changes: what the thesis identifies from. prbs:
+/// two binary noises on the voltage, one on the force, contact on and off, about one speed. All but rich run
+/// forward; after each minute the table returns within five seconds, without contact.
+enum class ProfileKind : std::uint8_t { kRich, kCommissioning, kProduction, kCutting, kStep, kPrbs };
 
-inline constexpr std::array<std::string_view, 4> kProfileNames{"rich", "commissioning", "production",
-                                                               "cutting"};
+inline constexpr std::array<std::string_view, 6> kProfileNames{"rich",    "commissioning", "production",
+                                                               "cutting", "step",          "prbs"};
 
 /// What the machine is asked for at one instant.
 struct Command {
@@ -45,6 +47,8 @@ class Profile {
   [[nodiscard]] Command commissioning(double time_s) const;
   [[nodiscard]] Command production(double time_s) const;
   [[nodiscard]] Command cutting(double time_s) const;
+  [[nodiscard]] Command step(double time_s) const;
+  [[nodiscard]] Command prbs(double time_s) const;
   [[nodiscard]] Command controlled(double time_s, double speed_fraction, double chip_load_mm) const;
 
   ProfileKind kind_;

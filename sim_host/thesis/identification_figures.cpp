@@ -39,6 +39,10 @@ struct Runs {
       run_printed_filter({.drive = Drive::kConstant, .start = printed_start()});
   IdentificationTrace printed_excited =
       run_printed_filter({.drive = Drive::kExcited, .start = wrong_start()});
+  IdentificationTrace guarded_constant =
+      run_guarded_filter({.drive = Drive::kConstant, .start = wrong_start()});
+  IdentificationTrace guarded_excited =
+      run_guarded_filter({.drive = Drive::kExcited, .start = wrong_start()});
   IdentificationTrace ours_constant = run_library_filter({.drive = Drive::kConstant, .start = wrong_start()});
   IdentificationTrace ours_excited = run_library_filter({.drive = Drive::kExcited, .start = wrong_start()});
   ParameterValues truth = parameters_of(thesis_machine());
@@ -54,7 +58,27 @@ Comparison library_comparison(const std::string& quantity, const std::string& un
     comparison.note =
         fmt::format("standard error {:.2g}, {:.1f} of them off", error, std::abs(value - truth) / error);
   } else {
-    comparison.note = fmt::format("undetermined: {}", reason_of(estimate.status));
+    comparison.note = fmt::format("undetermined: {}", reason_of(estimate));
+  }
+  return comparison;
+}
+
+/// Of the thesis's filter with its guards: the value where the last window told it by itself.
+Comparison guarded_comparison(const std::string& quantity, const std::string& unit,
+                              const IdentificationTrace& trace, Parameter parameter,
+                              std::optional<Range> printed) {
+  Comparison comparison{.quantity = quantity, .unit = unit, .printed = printed, .ours = {}};
+  switch (trace.information[index_of(parameter)]) {
+    case Information::kAlone:
+      comparison.ours = single(trace.end(parameter));
+      break;
+    case Information::kPair:
+      comparison.note = fmt::format("undetermined: only a combination with {} is told",
+                                    name_of(trace.partner[index_of(parameter)]));
+      break;
+    case Information::kNone:
+      comparison.note = "undetermined: nothing tells it, so it is frozen";
+      break;
   }
   return comparison;
 }
@@ -70,6 +94,7 @@ Figure figure_of(int number, Parameter parameter, const std::string& title, cons
                     .x = runs.printed_constant.time_s,
                     .curves = {{"the thesis's filter, constant inputs", runs.printed_constant.value[j]},
                                {"the thesis's filter, excited", runs.printed_excited.value[j]},
+                               {"with guards, constant inputs", runs.guarded_constant.value[j]},
                                {"this library, excited", runs.ours_excited.value[j]},
                                {"true value", nominal, true}}}};
   // Beside a printed value that is thousands of times larger no curve would be seen.
@@ -90,6 +115,8 @@ Figure figure_of(int number, Parameter parameter, const std::string& title, cons
        .unit = unit,
        .printed = printed,
        .ours = single(runs.printed_excited.end(parameter))},
+      guarded_comparison("with guards, constant inputs", unit, runs.guarded_constant, parameter, printed),
+      guarded_comparison("with guards, excited", unit, runs.guarded_excited, parameter, printed),
       library_comparison("this library, constant inputs", unit, runs.ours_constant.last[j], runs.truth[j],
                          printed),
       library_comparison("this library, excited", unit, runs.ours_excited.last[j], runs.truth[j], printed)};

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "lib/monitor/parameter_tracker.hpp"
+#include "lib/plant/contact_law.hpp"
 #include "sim_host/thesis/driven_machine.hpp"
 #include "sim_host/thesis/printed_parameter_filter.hpp"
 
@@ -48,6 +49,26 @@ SensorFrame frame_of(const PlantInput<double>& input) {
   return frame;
 }
 
+DerivativeInput<float> derivative_input(const PlantState<double>& x, const PlantInput<double>& u,
+                                        const ContactLaw<double>& law) {
+  const double torque_nm = u.contact * law(x.speed_rad_s, u.chip_load_mm, u.tool_temperature_degc).torque_nm;
+  return {.speed_rad_s = static_cast<float>(x.speed_rad_s),
+          .feed_speed_m_s = static_cast<float>(x.feed_speed_m_s),
+          .current_a = static_cast<float>(x.current_a),
+          .armature_voltage_v = static_cast<float>(u.armature_voltage_v),
+          .feed_force_n = static_cast<float>(u.feed_force_n),
+          .contact = static_cast<float>(u.contact),
+          .engagement = static_cast<float>(u.engagement),
+          .contact_torque_nm = static_cast<float>(torque_nm)};
+}
+
+DerivativeMeasurement<float> measured(const PlantDerivative<double>& rate) {
+  constexpr auto kSquare = [](double noise) { return static_cast<float>(noise * noise); };
+  return {static_cast<float>(rate.acceleration_rad_s2),      static_cast<float>(rate.feed_acceleration_m_s2),
+          static_cast<float>(rate.current_rate_a_s),         kSquare(DrivenMachine::kAccelerationNoiseRadS2),
+          kSquare(DrivenMachine::kFeedAccelerationNoiseMS2), kSquare(DrivenMachine::kCurrentRateNoiseAS)};
+}
+
 }  // namespace
 
 ParameterValues parameters_of(const MachineParameters& machine) { return Plant<double>(machine).theta(); }
@@ -76,6 +97,31 @@ IdentificationTrace run_printed_filter(const IdentificationSetting& setting) {
     const auto rate = driven.measured_derivative();
     filter.step(driven.measured_state(), driven.input(),
                 {rate.acceleration_rad_s2, rate.feed_acceleration_m_s2, rate.current_rate_a_s});
+  }
+  return trace;
+}
+
+IdentificationTrace run_guarded_filter(const IdentificationSetting& setting) {
+  const MonitorConfiguration c = datasheet_of(setting.start);
+  const auto variance = [&](Channel channel) { return static_cast<float>(c.sensors[channel].variance()); };
+  DerivativeIdentification<float> filter(
+      c.machine,
+      {variance(Channel::kSpindleSpeed), variance(Channel::kFeedSpeed), variance(Channel::kArmatureCurrent)},
+      static_cast<float>(kStartFraction), static_cast<float>(kWalkFraction));
+  const ContactLaw<double> law(c.machine);
+  DrivenMachine driven(setting.drive, setting.seed);
+  IdentificationTrace trace;
+  for (std::uint64_t frame = 0; frame <= frames_of(setting); ++frame) {
+    keep(trace, frame, [&](std::size_t j) {
+      return static_cast<double>(filter.filter().value(static_cast<Parameter>(j)));
+    });
+    driven.step();
+    const DerivativeMeasurement<float> rate = measured(driven.measured_derivative());
+    filter.step(derivative_input(driven.measured_state(), driven.input(), law), rate);
+  }
+  for (std::size_t j = 0; j < kParameterCount; ++j) {
+    trace.information[j] = filter.information(static_cast<Parameter>(j));
+    trace.partner[j] = filter.partner(static_cast<Parameter>(j));
   }
   return trace;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/identification/derivative_identification.hpp"
 #include "lib/monitor/health.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 
@@ -31,12 +32,17 @@ struct IdentificationTrace {
   std::vector<double> time_s;
   std::array<std::vector<double>, kParameterCount> value;
   std::array<ParameterEstimate, kParameterCount> last{};  ///< of run_library_filter only
+  /// What the last window of run_guarded_filter told of each parameter, and with which other one.
+  std::array<Information, kParameterCount> information{};
+  std::array<Parameter, kParameterCount> partner{};
 
   [[nodiscard]] double end(Parameter parameter) const { return value[index_of(parameter)].back(); }
 };
 
 /// The filter of the thesis, with its measured derivatives.
 IdentificationTrace run_printed_filter(const IdentificationSetting& setting);
+/// The same filter as lib/identification has it: float32, UD-factored in blocks, with its guards.
+IdentificationTrace run_guarded_filter(const IdentificationSetting& setting);
 /// The filters of lib/identification, as on the board: speeds and current are measured.
 IdentificationTrace run_library_filter(const IdentificationSetting& setting);
 

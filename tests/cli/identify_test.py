@@ -169,6 +169,40 @@ class HalfAMachine(Identify):
         self.assertTrue(result["excitation"]["advice"])
 
 
+class SteadyCut(Identify):
+    """The end of a step: the thesis's own excitation, nothing changes but what the controller answers to noise."""
+
+    def steady(self, machine, seed=1):
+        self.must_do("simulate", "--machine", machine, "--profile", "step", "--duration", 4, "--seed", seed, "--out",
+                     "step.csv")
+        lines = (self.folder / "step.csv").read_text().splitlines()
+        head = [line for line in lines if not line[0].isdigit()]
+        return self.write("steady.csv", "\n".join(head + lines[-15000:]) + "\n")
+
+    def test_claims_nothing_false(self):
+        for machine, true, seeds in (("reference", TRUE, (1, 4, 6)), ("thesis", TRUE_OF_THESIS, (1, 2))):
+            for seed in seeds:
+                parameters = self.identify(recording=self.steady(machine, seed), machine=machine)[1]
+                for name in SEVEN:
+                    if parameters[name]["identifiable"]:
+                        error = abs(parameters[name]["refit"] - true[name])
+                        self.assertLess(error, 4 * parameters[name]["standard_error"], (machine, seed, parameters[name]))
+
+    def test_names_with_what_a_parameter_is_told_only_on_line_too(self):
+        recording = self.steady("thesis")
+        on_line = json.loads(self.must_do("replay", recording, "--json", "-").stdout)["parameters"]
+        for entries in (self.identify(recording=recording, machine="thesis")[1].values(), on_line):
+            reasons = {entry["name"]: entry["reason"] for entry in entries}
+            self.assertIn("only a combination with back_emf_constant_vs_rad is", reasons["resistance_ohm"])
+            self.assertIn("; it needs currents that vary", reasons["resistance_ohm"])
+            self.assertIn("only a combination with resistance_ohm is", reasons["back_emf_constant_vs_rad"])
+            self.assertIn("only together with contact_offset_n", reasons["contact_force_n"])
+            self.assertIn("; it needs speeds that change", reasons["inertia_kgm2"])
+        text = self.must_do("replay", recording).stdout
+        self.assertIn("only a combination with back_emf_constant_vs_rad is determined; it needs", text)
+        self.assertIn("only together with contact_offset_n", text)
+
+
 class Mistakes(Identify):
     def test_are_refused_and_nothing_is_written(self):
         self.simulate(duration=0.2)

@@ -282,6 +282,38 @@ class Refusals(ProgramTest):
         self.write("arm.toml", PLANAR_ARM)
         self.refused("no joint of this chain moves it along z", "--inverse", "0.5", "0.2", "0.1", "--chain", "arm.toml")
 
+    def test_more_directions_than_joints(self):
+        self.write("arm.toml", ARM.rsplit("[[joint]]", 1)[0])
+        numbers = "the points prescribe 4 directions in which this chain can move, and it has 3 joints"
+        self.refused(numbers, "--inverse", "0.5", "0.2", "0", "0", "0", "1", "--chain", "arm.toml")
+        self.write("path.csv", ARM_PATH)
+        self.refused(numbers, "path.csv", "--chain", "arm.toml", "--out", "joints.csv")
+        start = "[inverse]\nstart = [0, 1, 0]\n"
+        self.write("arm.toml", start + ARM.rsplit("[[joint]]", 1)[0])
+        self.refused("out of reach at", "path.csv", "--chain", "arm.toml", "--out", "joints.csv")
+        self.refused(numbers, "path.csv", "--chain", "arm.toml", "--out", "joints.csv")
+        # As many as it has joints, or a pose that it happens to go through.
+        self.must_do("kinematics", "--inverse", "0.5", "0.2", "0", "--chain", "arm.toml")
+        self.assertNotIn("prescribe", self.must_refuse(1, "kinematics", "--inverse", "1", "0", "0", "--chain", "arm.toml"))
+        self.must_do("kinematics", "--inverse", "0.9", "0", "0", "0", "0", "0", "--chain", "arm.toml")
+
+    def test_times_that_need_more_than_the_limits(self):
+        self.write("path.csv", "x_m,y_m,z_m,duration_s\n0,0,0,\n0.3,0.4,0,1\n")
+        path = ("path.csv", "--chain", "limits.toml", "--out", "joints.csv")
+        # 0.5 m in 1 s with ramps of a third: 0.75 m/s, 2.25 m/s2.
+        for limits, sentence in (("max_speed_m_s = 0.5", "line 3: duration_s = 1 is impossible: 0.5 m in it need 0.75 m/s, "
+                                  "[limits] allow 0.5 m/s; give the segment 1.5 s or more"),
+                                 ("max_acceleration_m_s2 = 1", "need 2.25 m/s2, [limits] allow 1 m/s2; give the segment 1.5 s"),
+                                 ("max_speed_m_s = 0", "max_speed_m_s is impossible; give more than 0"),
+                                 ("max_acceleration_m_s2 = -1", "max_acceleration_m_s2 is impossible"),
+                                 ("max_speed_m_s = nan", "max_speed_m_s is not finite"),
+                                 ("max_speed = 1", "'max_speed' of [limits] is not known")):
+            with self.subTest(limits):
+                self.write("limits.toml", f"[limits]\n{limits}\n")
+                self.refused(sentence, *path)
+        self.write("limits.toml", "[limits]\nmax_speed_m_s = 0.751\nmax_acceleration_m_s2 = 2.251\n")
+        self.must_do("kinematics", *path)
+
     def test_a_stretched_arm_is_out_of_reach_and_not_still(self):
         self.write("arm.toml", PLANAR_ARM)
         self.write("path.csv", "x_m,y_m,z_m,duration_s\n0.6,0,0,\n1.0,0,0,1\n")

@@ -292,6 +292,27 @@ class SimulateAndReplay(ProgramTest):
         self.assertEqual(result["chip_load_mm"], {"estimate": None, "standard_error": None, "state": "undetermined"})
         self.assertEqual(result["health"]["state"], "NOT_ENOUGH_DATA")
 
+    def test_without_the_column_contact_a_sensor_is_missing(self):
+        self.must_do("simulate", "--duration", "0.2", "--out", "run.csv")
+        rows = [row.split(",") for row in (self.folder / "run.csv").read_text().splitlines() if row[0] != "#"]
+        at = rows[0].index("contact")
+        self.write("part.csv", "\n".join(",".join(row[:at] + row[at + 1:]) for row in rows) + "\n")
+        health = self.replay("part.csv", "--machine", "reference")["health"]
+        self.assertEqual(health["state"], "NOT_ENOUGH_DATA")
+        self.assertIn("SENSOR_MISSING", health["reason"])
+        self.assertNotIn("SENSOR_MISSING", self.replay("run.csv")["health"]["reason"])
+
+    def test_a_step_and_a_prbs_do_what_they_say(self):
+        for profile, values in (("step", (2, 2)), ("prbs", (3, 10))):
+            self.must_do("simulate", "--profile", profile, "--duration", "1", "--out", "run.csv")
+            rows = [row.split(",") for row in (self.folder / "run.csv").read_text().splitlines() if row[0] != "#"]
+            voltages = [float(row[rows[0].index("armature_voltage_v")]) for row in rows[1:]]
+            contact = [float(row[rows[0].index("contact")]) for row in rows[1:]]
+            # Of the voltage: 0 and 48 V, or 48 V and two levels on it, of equal size; of the contact: changes.
+            self.assertEqual((len({round(v, 3) for v in voltages}), 1 + sum(a != b for a, b in zip(contact, contact[1:]))),
+                             values)
+            self.assertAlmostEqual(max(voltages), 48.0 * (1.0 if profile == "step" else 1.25), delta=0.1)
+
     def test_a_frame_table_has_one_row_per_frame(self):
         self.must_do("simulate", "--duration", "0.2", "--out", "run.csv")
         self.must_do("replay", "run.csv", "--out", "frames.csv")

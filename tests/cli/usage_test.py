@@ -15,7 +15,7 @@ NO_PAGES = "built without its report pages"
 WRONG = {
     ("simulate", "--profle", "rich", "--out", "x.csv"): "option '--profle' is not known (did you mean '--profile'?)",
     ("simulate", "--seeds=3", "--out", "x.csv"): "option '--seeds' is not known (did you mean '--seed'?)",
-    ("simulate", "--profile", "rch", "--out", "x.csv"): "'rch' is none of rich, commissioning, production, cutting "
+    ("simulate", "--profile", "rch", "--out", "x.csv"): "'rch' is none of rich, commissioning, production, cutting, step, prbs "
                                                         "(did you mean 'rich'?)",
     ("replay", "x.csv", "--rule", "markow"): "(did you mean 'markov'?)",
     ("completion", "zhs"): "'zhs' is none of bash, zsh",

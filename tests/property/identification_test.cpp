@@ -25,6 +25,7 @@ struct Experiment {
   void (*stimulate)(test::SpindleSimulation&, int frame);
   int frames = 20000;
   std::uint64_t seed = 1;
+  int settled = 0;  ///< frames before the first one that is recorded
 };
 
 /// Voltage with a 1 ms and a 20 ms random part, feed force with a 30 ms one, contact on and off every 100 ms.
@@ -67,8 +68,12 @@ std::array<ParameterEstimate, kParameterCount> identify(const Experiment& run) {
   const double noise_m_s = c.sensors[Channel::kFeedSpeed].noise;
   std::normal_distribution<double> normal;
   HeldInputs held(c.machine);
-  for (int k = 0; k < run.frames; ++k) {
+  for (int k = -run.settled; k < run.frames; ++k) {
     run.stimulate(machine, k);
+    if (k < 0) {
+      machine.step();
+      continue;
+    }
     SensorFrame frame;
     frame.set(Channel::kArmatureVoltage, static_cast<float>(machine.input.armature_voltage_v));
     frame.set(Channel::kFeedForce, static_cast<float>(machine.input.feed_force_n));
@@ -160,6 +165,28 @@ TEST(Identification, ConstantInputsLeaveParametersUnknownAndClaimNothingFalse) {
                 3.0 * static_cast<double>(estimates[j].standard_error))
         << "parameter " << j;
   }
+}
+
+TEST(Identification, NamesWithWhatAParameterIsToldOnly) {
+  const auto steady = identify({.truth = thesis_configuration(),
+                                .datasheet = wrong_by(thesis_configuration(), 1.3),
+                                .stimulate = stay_in_contact,
+                                .settled = 5000});
+  const auto excited =
+      identify({.truth = thesis_configuration(), .datasheet = thesis_configuration(), .stimulate = excite});
+  const auto expect_partner = [](const auto& estimates, Parameter parameter, ParameterStatus status,
+                                 Partner partner) {
+    EXPECT_EQ(estimates[index_of(parameter)].status, status) << index_of(parameter);
+    EXPECT_EQ(estimates[index_of(parameter)].partner, partner) << index_of(parameter);
+  };
+  constexpr auto kPair = ParameterStatus::kCorrelated, kAlone = ParameterStatus::kIdentifiable;
+  expect_partner(steady, Parameter::kResistance, kPair, partner_named(Parameter::kBackEmfConstant));
+  expect_partner(steady, Parameter::kBackEmfConstant, kPair, partner_named(Parameter::kResistance));
+  expect_partner(steady, Parameter::kMass, kPair, partner_named(Parameter::kContactForce));
+  expect_partner(steady, Parameter::kContactForce, kPair, partner_named(Parameter::kMass));
+  expect_partner(excited, Parameter::kResistance, kAlone, Partner::kNone);
+  expect_partner(excited, Parameter::kMass, kAlone, Partner::kNone);
+  expect_partner(excited, Parameter::kContactForce, kAlone, Partner::kContactOffset);
 }
 
 /// Claimed and true distance of resistance and back-EMF constant, in standard errors, after six seconds in

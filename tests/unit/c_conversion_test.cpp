@@ -212,6 +212,8 @@ static_assert(MOREPRO_PARAMETER_CORRELATED == number(ParameterStatus::kCorrelate
 static_assert(MOREPRO_PARAMETER_MODEL_MISMATCH == number(ParameterStatus::kModelMismatch));
 static_assert(MOREPRO_PARAMETER_SAMPLING_TOO_SLOW == number(ParameterStatus::kSamplingTooSlow));
 static_assert(MOREPRO_PARAMETER_IDENTIFIABLE == number(ParameterStatus::kIdentifiable));
+static_assert(MOREPRO_PARTNER_CONTACT_OFFSET_N == number(Partner::kContactOffset));
+static_assert(MOREPRO_PARTNER_NONE == number(Partner::kNone));
 static_assert(MOREPRO_GAP_NOT_ENOUGH_DATA == number(gap::GapVerdict::kNotEnoughData));
 static_assert(MOREPRO_GAP_NONE == number(gap::GapVerdict::kNoGap));
 static_assert(MOREPRO_GAP_INSUFFICIENT_EXCITATION == number(gap::GapVerdict::kInsufficientExcitation));

@@ -81,6 +81,7 @@ void expect_same_estimates(const morepro_health& c, const BoardMonitor& monitor)
     const auto& theirs = cpp.parameters[i];
     ASSERT_EQ(bits({ours.value, ours.standard_error}), bits({theirs.value, theirs.standard_error}));
     ASSERT_EQ(ours.status, static_cast<std::uint8_t>(theirs.status));
+    ASSERT_EQ(ours.partner, static_cast<std::uint8_t>(theirs.partner));
     ASSERT_EQ(ours.is_identifiable != 0, theirs.status == ParameterStatus::kIdentifiable);
   }
   for (std::size_t i = 0; i < kMonitorHypotheses; ++i)

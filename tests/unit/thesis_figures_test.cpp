@@ -108,14 +108,38 @@ TEST(ThesisFigures, ExcitedTheLibraryFindsAllSevenWithinFourStandardErrors) {
   }
 }
 
+TEST(ThesisFigures, WithGuardsConstantInputsMoveNothingAndSayWhatTheyTell) {
+  ParameterValues start = parameters_of(thesis_machine());
+  for (double& value : start) value *= 1.2;
+  const auto constant = run_guarded_filter({.drive = Drive::kConstant, .start = start});
+  const auto told = [&](Parameter parameter) { return constant.information[index_of(parameter)]; };
+  EXPECT_EQ(told(Parameter::kTorqueConstant), Information::kAlone);
+  EXPECT_EQ(told(Parameter::kInertia), Information::kNone);
+  EXPECT_EQ(told(Parameter::kInductance), Information::kNone);
+  EXPECT_EQ(told(Parameter::kResistance), Information::kPair);
+  EXPECT_EQ(constant.partner[index_of(Parameter::kResistance)], Parameter::kBackEmfConstant);
+  EXPECT_EQ(told(Parameter::kMass), Information::kPair);
+  EXPECT_EQ(constant.partner[index_of(Parameter::kMass)], Parameter::kContactForce);
+  const auto longer = run_guarded_filter({.drive = Drive::kConstant, .start = start, .duration_s = 8.0});
+  const auto excited = run_guarded_filter({.drive = Drive::kExcited, .start = start});
+  for (std::size_t j = 0; j < kParameterCount; ++j) {
+    const auto parameter = static_cast<Parameter>(j);
+    EXPECT_NEAR(longer.end(parameter) / constant.end(parameter), 1.0, 0.01) << j;
+    EXPECT_EQ(excited.information[j], Information::kAlone) << j;
+    EXPECT_NEAR(excited.end(parameter) / parameters_of(thesis_machine())[j], 1.0, 0.02) << j;
+  }
+}
+
 TEST(ThesisFigures, EveryRunBeginsAtItsStart) {
   ParameterValues start = parameters_of(thesis_machine());
   for (std::size_t j = 0; j < kParameterCount; ++j) start[j] *= 0.7 + 0.1 * static_cast<double>(j);
   const IdentificationSetting setting{.drive = Drive::kConstant, .start = start, .duration_s = 0.0};
   const auto printed = run_printed_filter(setting), library = run_library_filter(setting);
+  const auto guarded = run_guarded_filter(setting);
   for (std::size_t j = 0; j < kParameterCount; ++j) {
     EXPECT_EQ(printed.value[j].front(), start[j]) << j;
     EXPECT_NEAR(library.value[j].front(), start[j], 1.0e-6 * start[j]) << j;
+    EXPECT_NEAR(guarded.value[j].front(), start[j], 1.0e-6 * start[j]) << j;
   }
 }
 

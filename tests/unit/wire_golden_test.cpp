@@ -56,7 +56,8 @@ Health golden_health() {
                 .innovation_ratio = 1.25F};
   for (std::size_t k = 0; k < kParameterCount; ++k)
     health.parameters[k] = {0.5F * static_cast<float>(k), 0.25F * static_cast<float>(k),
-                            static_cast<ParameterStatus>(k % 6)};
+                            static_cast<ParameterStatus>(k % 6),
+                            k == 6 ? Partner::kNone : static_cast<Partner>(k + 2)};
   health.gap = {.verdict = gap::GapVerdict::kEffect,
                 .where = gap::EffectGroup::kSensor,
                 .effect = gap::Effect::kSpindleSpeedBias,
@@ -144,9 +145,9 @@ TEST(WireGolden, FrameHasItsBytes) {
 TEST(WireGolden, HealthHasItsBytes) {
   EXPECT_EQ(hex(encoded(golden_health())),
             "030207010103bc02010503940141041001060101020101010202010102010103803d0101043b0b040103603f08"
-            "409643cdcc4c3d0103c07f0103a03f0101010101010101010101023f0104803e010103803f0101033f020103c0"
-            "3f0104403f03010102400104803f04010320400104a03f05010340400103c03f07050321021d260103403f0107"
-            "c07f817a23bb00");
+            "409643cdcc4c3d0103c07f0103a03f010101010101010102020101023f0105803e01030103803f0101043f0204"
+            "0103c03f0105403f0305010102400105803f0406010320400105a03f0507010340400103c03f08ff050321021d"
+            "260103403f0107c07f1fd8a88600");
 }
 
 TEST(WireGolden, ConfigurationHasItsBytes) {
@@ -172,8 +173,8 @@ TEST(WireGolden, ConfigurationHasItsBytes) {
 }
 
 TEST(WireGolden, ControlRecordsHaveTheirBytes) {
-  EXPECT_EQ(hex(encoded(wire::Ready{.protocol_version = 2, .build_id = 0xCAFE0001, .reset_cause = 1})),
-            "0404020108feca015e22c3e000");
+  EXPECT_EQ(hex(encoded(wire::Ready{.protocol_version = 3, .build_id = 0xCAFE0001, .reset_cause = 1})),
+            "0404030108feca01fbf19f2b00");
   EXPECT_EQ(hex(encoded(wire::End{.frames = 20000})), "0405204e01059977f4d400");
   EXPECT_EQ(hex(encoded(golden_text())), "18066d616368696e653a207265666572656e6365f119949100");
 }
