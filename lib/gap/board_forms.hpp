@@ -82,4 +82,10 @@ constexpr EffectGroup group_of(Effect effect) {
   return effect < Effect::kClockJitter ? EffectGroup::kSensor : EffectGroup::kSampling;
 }
 
+/// Does a board look for it in the rows of the feed axis? Else in those of the spindle.
+constexpr bool is_of_feed(Effect effect) {
+  return group_of(effect) == EffectGroup::kFeedForce || effect == Effect::kFeedSpeedDelay ||
+         effect == Effect::kUnnamedForce;
+}
+
 }  // namespace morepro::gap

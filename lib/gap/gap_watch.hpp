@@ -22,6 +22,13 @@ class GapWatch {
   using SpindleAxis = GapWatchAxis<Real, Spindle, kSpindleParameters, kSpindleForms.size()>;
   using FeedAxis = GapWatchAxis<Real, Feed, kFeedParameters, kFeedForms.size()>;
 
+  /// Frames of a stretch that give a row per axis.
+  static constexpr std::size_t kRowsOfStretch = 112;
+  /// Frames from the beginning of a stretch to that of the next one: long enough for all pieces, all columns
+  /// of the rows and the judgement, 8 k frames. A stretch of 26 ms every 1.2 s at 10 kHz: more would not fit
+  /// beside the monitor.
+  static constexpr std::size_t kShortestCycle = 9856;
+
   /// step_s > 0: sampling interval of the frames. Cold: small instead of fast.
   [[gnu::cold]] GapWatch(const MachineParameters& machine, const ReferencePoint& point, double step_s,
                          const GapSettings& settings)
@@ -89,12 +96,10 @@ class GapWatch {
   // The observer's columns forget how it began within the settling time; then every frame gives a row, of
   // either sensor in turn.
   static constexpr std::size_t kSettling = 144;
-  static constexpr std::size_t kStretch = kSettling + 112;
+  static constexpr std::size_t kStretch = kSettling + kRowsOfStretch;
   static constexpr std::size_t kPieces = 4 * kStretch;  ///< two halves of each frame for each of two axes
-  // Long enough for all pieces, all columns of the rows and the judgement, 7.2 k frames. The rest is of
-  // random length, or a machine that repeats itself would show the same moment of its cycle again and again.
-  // A stretch of 27 ms every 1.13 s at 10 kHz: more would not fit beside the monitor.
-  static constexpr std::size_t kShortestRest = 9600;
+  // The rest is of random length, or a machine that repeats itself would show the same moment of its cycle
+  // again and again.
   static constexpr unsigned kRandomRestBits = 12;
   // How far a datasheet may be off, as a standard deviation.
   static constexpr Real kSpread = Real(0.5);
@@ -173,7 +178,7 @@ class GapWatch {
     position_m_ += step_s_ * feed_speed_m_s_;
     if (++phase_ < cycle_) return;
     random_ = random_ * 1664525U + 1013904223U;
-    cycle_ = kStretch + kShortestRest + (random_ >> (32U - kRandomRestBits));
+    cycle_ = kShortestCycle + (random_ >> (32U - kRandomRestBits));
     begin_stretch();
   }
 
@@ -205,7 +210,7 @@ class GapWatch {
   Real position_m_ = 0;
   std::uint32_t cutting_frames_ = 0;
   std::uint32_t random_ = 1;
-  std::size_t cycle_ = kStretch + kShortestRest;
+  std::size_t cycle_ = kShortestCycle;
   std::size_t phase_ = 0;
   std::size_t seen_ = 0;  ///< pieces of the stretch
 };

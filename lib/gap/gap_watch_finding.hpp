@@ -49,6 +49,11 @@ struct MachineForms {
   std::array<EffectForm, kMost> form{};         ///< those behind `count` mean nothing
   std::uint32_t count = 0;                      ///< 0 .. kMost
 
+  [[nodiscard]] bool has_room(const EffectForm& another) const {
+    std::size_t parts = another.parts;
+    for (std::size_t i = 0; i < count; ++i) parts += form[i].parts;
+    return count < kMost && parts <= kMostParts;
+  }
   [[nodiscard]] bool has(Effect effect) const {
     for (std::size_t i = 0; i < count; ++i)
       if (form[i].effect == effect) return true;

@@ -68,10 +68,10 @@ bool holds(const std::vector<gap::Effect>& effects, gap::Effect effect) {
   return std::find(effects.begin(), effects.end(), effect) != effects.end();
 }
 
-// Of a stretch the last 128 frames give rows, and the next one comes 9272 frames later or more: so these do
+// Of a stretch the last frames give rows, and the next one comes after a rest: so those of these watches do
 // not meet, and nearly every row is used once.
-constexpr std::size_t kWatches = 72;
-constexpr std::size_t kShift = 128;
+constexpr std::size_t kShift = Watch::kRowsOfStretch;
+constexpr std::size_t kWatches = Watch::kShortestCycle / kShift;
 
 /// What a board is shown of a row.
 struct BoardFrame {
@@ -139,15 +139,6 @@ gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachinePar
   const gap::GapFinding second = found_on_board(signals, refitted, settings, is_excited);
   const bool has_found = second.verdict == GapVerdict::kEffect || second.verdict == GapVerdict::kUnexplained;
   return has_found ? second : first;
-}
-
-GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio) {
-  const double share = std::sqrt(rate_ratio);
-  return {.speed_process_noise_rad_s = share * settings.noise.speed_step,
-          .current_process_noise_a = share * settings.noise.current_step,
-          .feed_process_noise_m_s = share * settings.noise.feed_step,
-          .spindle = settings.spindle,
-          .feed = settings.feed};
 }
 
 bool agree(const gap::GapFinding& board, const DiagnosisResult& host) {

@@ -11,6 +11,7 @@
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "sim_host/diagnose/axis_outcome.hpp"
+#include "sim_host/diagnose/board_settings.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
 #include "sim_host/diagnose/clock_jitter.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
@@ -317,49 +318,16 @@ class Diagnosis {
   }
 
   void watch_like_a_board() {
-    gap::GapSettings settings{.noise = datasheet_.noise, .spindle = {}, .feed = {}};
-    for (const gap::Effect effect : options_.excluded) {
-      leave_out(effect, settings.spindle.forms);
-      leave_out(effect, settings.feed.forms);
-    }
-    for (const AxisOutcome& outcome : outcomes_) take_for_board(outcome, settings);
+    const bool is_excited = result_.verdict != Verdict::kInsufficientExcitation;
+    gap::GapSettings settings =
+        board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
+                       options_.excluded, signals_.rate_hz);
     const MachineParameters refitted = machine_with_effects().configuration.machine;
-    result_.board = watch_on_board(signals_, machine_.configuration.machine, refitted,
-                                   result_.verdict != Verdict::kInsufficientExcitation, settings);
+    result_.board = watch_on_board(signals_, machine_.configuration.machine, refitted, is_excited, settings);
     result_.board_agrees = agree(result_.board, result_);
     result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
-  }
-
-  void take_for_board(const AxisOutcome& outcome, gap::GapSettings& settings) const {
-    const gap::GapNoise<double>& noise = outcome.diagnosis.fit.model().noise;
-    const bool is_spindle = outcome.diagnosis.fit.axis() == Axis::kSpindle;
-    gap::GapLimits& limits = is_spindle ? settings.spindle : settings.feed;
-    limits.evidence = std::max(limits.evidence, outcome.chance.quantile99);
-    limits.temperature = std::max(1.0, outcome.chance.temperature);
-    if (result_.verdict == Verdict::kUnexplained) {
-      for (std::size_t i = 0; i < std::min<std::size_t>(2, outcome.leftover.functions.size()); ++i)
-        add_form(outcome.leftover.functions[i], limits.forms);
-    }
-    for (const Finding& finding : outcome.diagnosis.found) add_form(finding.effect.form, limits.forms);
-    if (is_spindle) {
-      settings.noise.speed_step = noise.speed_step;
-      settings.noise.current_step = noise.current_step;
-    } else {
-      settings.noise.feed_step = noise.feed_step;
-    }
-  }
-
-  /// Where there is room, and for a delay that a board can remember.
-  void add_form(const gap::EffectForm& form, gap::MachineForms& forms) const {
-    std::size_t parts = form.parts;
-    for (std::size_t i = 0; i < forms.count; ++i) parts += forms.form[i].parts;
-    const double steps = static_cast<double>(form.shape) * signals_.rate_hz;
-    if (gap::is_delay(form.effect) && steps > static_cast<double>(gap::kBoardDelaySteps)) return;
-    if (forms.count == gap::MachineForms::kMost || parts > gap::MachineForms::kMostParts) return;
-    forms.form[forms.count++] = form;
-  }
-  void leave_out(gap::Effect effect, gap::MachineForms& forms) const {
-    add_form({.effect = effect, .kind = 0, .parts = 0, .shape = 0.0F}, forms);
+    for (gap::GapLimits* limits : {&result_.for_board.spindle, &result_.for_board.feed})
+      limits->forms = stated_forms(limits->forms, recording_scales(), file_scales());
   }
 
   MachineDescription machine_with_effects() const {

@@ -11,4 +11,7 @@ namespace morepro::host {
 /// stands at the key `effects`. Throws UserError with line and column.
 void read_effects(const toml::node& node, const std::string& path, MachineDescription& machine);
 
+/// Reads [[gap.forms]], the forms that a board looks for instead of its own, likewise.
+void read_gap_forms(const toml::node& node, const std::string& path, MachineDescription& machine);
+
 }  // namespace morepro::host

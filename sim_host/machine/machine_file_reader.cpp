@@ -64,6 +64,8 @@ class MachineFile {
     if (const toml::node* effects = file_.root().get("effects"))
       read_effects(*effects, file_.path(), machine_);
     read_settings(file_, machine_);
+    if (const toml::node* forms = file_.root().at_path("gap.forms").node())
+      read_gap_forms(*forms, file_.path(), machine_);
     machine_.places = file_.places();
     return std::move(machine_);
   }

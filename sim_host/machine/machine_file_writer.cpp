@@ -122,6 +122,18 @@ std::string effect_table(const gap::AppliedEffect& effect, const MachineParamete
   return text;
 }
 
+std::string form_tables(const gap::MachineForms& forms) {
+  std::string text;
+  for (std::size_t i = 0; i < forms.count; ++i) {
+    const gap::EffectForm& form = forms.form[i];
+    text +=
+        fmt::format("\n[[gap.forms]]\nname = \"{}\"\nparts = {}\n", gap::name_of(form.effect), form.parts);
+    if (form.kind != 0) text += fmt::format("kind = {}\n", form.kind);
+    if (form.shape != 0.0F) text += fmt::format("shape = {}\n", form.shape);
+  }
+  return text;
+}
+
 std::string sensor_tables(const Sensors& sensors) {
   std::string text;
   for (std::size_t i = 0; i < kChannelCount; ++i) {
@@ -141,6 +153,9 @@ std::string text_of(const MachineDescription& machine, std::string_view words, c
   text += words;
   for (const std::string_view table : {"bank", "tuning", "gap", "wear"})
     text += settings_table(table, machine, unstated);
+  for (const gap::MachineForms& forms :
+       {machine.configuration.gap.spindle.forms, machine.configuration.gap.feed.forms})
+    text += form_tables(forms);
   for (const gap::AppliedEffect& effect : machine.effects)
     text += effect_table(effect, machine.configuration.machine);
   return text;

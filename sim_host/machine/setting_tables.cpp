@@ -19,6 +19,7 @@ std::vector<std::string_view> keys_of(std::string_view table) {
   for (const SettingKey& key : setting_keys())
     if (key.table == table) names.push_back(key.key);
   if (table == "bank") names.push_back("rule");
+  if (table == "gap") names.push_back("forms");
   return names;
 }
 

@@ -78,6 +78,7 @@ class Verdicts(Diagnose):
         stored = (self.folder / "found.toml").read_text()
         self.assertIn("[gap]", stored)
         self.assertIn("feed_evidence = ", stored)
+        self.assertIn('[[gap.forms]]\nname = "feed_force_offset"\n', stored)
         self.must_do("config", "--machine", "found.toml")
 
     def test_a_board_that_saw_too_little_says_so(self):

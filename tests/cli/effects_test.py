@@ -146,12 +146,30 @@ class EffectsInMachineFiles(ProgramTest):
                 ('[[effects]]\nname = "current_bias"\nsize = 1\ncoefficients = ["1"]\n', 3, "is no number"),
                 ('[[effects]]\nname = "current_bias"\nsize = 1\ncoefficients = [2]\n', 2, "coefficients make it 2")):
             with self.subTest(effects):
-                content = effects + GOOD if effects.startswith("effects =") else GOOD + effects
-                self.write("bad.toml", content)
-                expected_line = 1 if effects.startswith("effects =") else line + row
-                sentence = self.must_refuse(1, "config", "--machine", "bad.toml")
-                self.assertIn(reason, sentence)
-                self.assertIn(f"bad.toml, line {expected_line}, column ", sentence)
+                is_first = effects.startswith("effects =")
+                self.must_find(effects + GOOD if is_first else GOOD + effects, 1 if is_first else line + row, reason)
+
+    def must_find(self, content, line, reason):
+        self.write("bad.toml", content)
+        sentence = self.must_refuse(1, "config", "--machine", "bad.toml")
+        self.assertIn(reason, sentence)
+        self.assertIn(f"bad.toml, line {line}, column ", sentence)
+
+    def test_mistakes_in_what_a_board_looks_for_are_found_too(self):
+        feed = "[feed]\nmass_kg = 3\n"
+        many = ('[[gap.forms]]\nname = "feed_screw_periodic"\nparts = 2\n' * 3)
+        for forms, row, reason in (
+                ('[gap]\nforms = 3\n', 1, "write [[gap.forms]]"),
+                ('[[gap.forms]]\nshape = 3\n', 0, "needs the name of an effect"),
+                ('[[gap.forms]]\nname = "feed_springs"\n', 1, "did you mean 'feed_spring'?"),
+                ('[[gap.forms]]\nname = "feed_spring"\nsize = 3\n', 2, "not known"),
+                ('[[gap.forms]]\nname = "feed_spring"\nparts = 2\n', 1, "it can have 1 to 1"),
+                ('[[gap.forms]]\nname = "feed_coulomb_friction"\n', 1, "must be greater than 0"),
+                ('[[gap.forms]]\nname = "clock_jitter"\n', 1, "no signature"),
+                ('[[gap.forms]]\nname = "drive_lag"\nshape = 1e-3\n', 1, "needs [spindle]"),
+                (many, 7, "room for 4 forms with 4 parts")):
+            with self.subTest(forms):
+                self.must_find(feed + forms, 3 + row, reason)
 
     def test_that_the_rate_cannot_show_are_refused(self):
         self.write("worn.toml", GOOD + '[[effects]]\nname = "clock_jitter"\nsize = 1e-3\n')

@@ -91,6 +91,24 @@ TEST(MachineFile, ATableMayStateOnlySomeKeys) {
   EXPECT_EQ(gap.spindle.evidence, gap::GapLimits{}.evidence);
 }
 
+TEST(MachineFile, HoldsTheFormsThatABoardLooksFor) {
+  MachineDescription written = built_in_machine("reference");
+  auto& gap = written.configuration.gap;
+  gap.spindle.forms.form[0] = {.effect = gap::Effect::kSpindleCogging, .parts = 2, .shape = 7.0F};
+  gap.spindle.forms.form[1] = {.effect = gap::Effect::kArmatureReaction, .kind = 1};
+  gap.spindle.forms.count = 2;
+  gap.feed.forms.form[0] = {.effect = gap::Effect::kFeedSpeedDelay, .shape = 0.001F};
+  gap.feed.forms.count = 1;
+  const GapTuning read_back = read(machine_file_text(written)).configuration.gap;
+  ASSERT_EQ(read_back.spindle.forms.count, 2U);
+  EXPECT_EQ(read_back.spindle.forms.form[0].effect, gap::Effect::kSpindleCogging);
+  EXPECT_EQ(read_back.spindle.forms.form[0].parts, 2);
+  EXPECT_EQ(read_back.spindle.forms.form[0].shape, 7.0F);
+  EXPECT_EQ(read_back.spindle.forms.form[1].kind, 1);
+  ASSERT_EQ(read_back.feed.forms.count, 1U);
+  EXPECT_EQ(read_back.feed.forms.form[0].shape, 0.001F);
+}
+
 TEST(MachineFile, WhatFollowsAStatedValueFollowsIt) {
   const std::string machine = machine_file_text(built_in_machine("reference"));
   const std::string bank = "[bank]\n";

@@ -237,6 +237,17 @@ TEST(MonitorGap, RefusesImpossibleSettings) {
   EXPECT_EQ(refusal([](GapTuning& g) { g.feed.evidence = 0.0; }), "gap.feed_evidence");
   EXPECT_EQ(refusal([](GapTuning& g) { g.feed.temperature = 0.5; }), "gap.feed_temperature");
   EXPECT_EQ(refusal([](GapTuning& g) { g.feed.excitation = 0.0; }), "gap.feed_excitation");
+  const auto refusal_of = [&refusal](gap::EffectForm form, std::uint32_t count = 1) {
+    return refusal([&](GapTuning& g) {
+      g.feed.forms.form.fill(form);
+      g.feed.forms.count = count;
+    });
+  };
+  using enum gap::Effect;
+  EXPECT_EQ(refusal_of({.effect = kFeedCoulombFriction, .shape = 0.0F}), "gap.forms");
+  EXPECT_EQ(refusal_of({.effect = kFeedSpeedDelay, .shape = 0.01F}), "gap.forms");
+  EXPECT_EQ(refusal_of({.effect = kFeedSpring}, 5), "gap.forms");
+  EXPECT_EQ(refusal_of({.effect = kFeedScrewPeriodic, .parts = 2}, 3), "gap.forms");
 }
 
 }  // namespace

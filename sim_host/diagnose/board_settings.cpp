@@ -1,0 +1,80 @@
+#include "sim_host/diagnose/board_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/gap/board_forms.hpp"
+#include "lib/gap/effect_size.hpp"
+
+namespace morepro::host {
+namespace {
+
+using gap::EffectForm;
+using gap::MachineForms;
+
+constexpr std::size_t kMostNameless = 2;
+
+bool has_name(const EffectForm& form) { return form.effect < gap::Effect::kUnnamedTorque; }
+
+/// Where there is room, and for a delay that a board can remember.
+void add(const EffectForm& form, double rate_hz, MachineForms& forms) {
+  const double steps = static_cast<double>(form.shape) * rate_hz;
+  const bool is_too_long = gap::is_delay(form.effect) && steps > static_cast<double>(gap::kBoardDelaySteps);
+  if (!is_too_long && forms.has_room(form)) forms.form[forms.count++] = form;
+}
+
+void leave_out(gap::Effect effect, MachineForms& forms) {
+  add({.effect = effect, .kind = 0, .parts = 0, .shape = 0.0F}, 0.0, forms);
+}
+
+void take(const AxisOutcome& outcome, bool is_unexplained, double rate_hz, gap::GapLimits& limits) {
+  limits.evidence = std::max(limits.evidence, outcome.chance.quantile99);
+  limits.temperature = std::max(1.0, outcome.chance.temperature);
+  const auto& functions = outcome.leftover.functions;
+  for (std::size_t i = 0; is_unexplained && i < std::min(kMostNameless, functions.size()); ++i)
+    add(functions[i], rate_hz, limits.forms);
+  for (const Finding& finding : outcome.diagnosis.found) add(finding.effect.form, rate_hz, limits.forms);
+}
+
+}  // namespace
+
+gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap::GapNoise<double>& sensors,
+                                bool is_unexplained, std::span<const gap::Effect> excluded, double rate_hz) {
+  gap::GapSettings settings{.noise = sensors, .spindle = {}, .feed = {}};
+  for (const gap::Effect effect : excluded)
+    leave_out(effect, gap::is_of_feed(effect) ? settings.feed.forms : settings.spindle.forms);
+  for (const AxisOutcome& outcome : outcomes) {
+    const gap::GapNoise<double>& noise = outcome.diagnosis.fit.model().noise;
+    if (outcome.diagnosis.fit.axis() == Axis::kSpindle) {
+      take(outcome, is_unexplained, rate_hz, settings.spindle);
+      settings.noise.speed_step = noise.speed_step;
+      settings.noise.current_step = noise.current_step;
+    } else {
+      take(outcome, is_unexplained, rate_hz, settings.feed);
+      settings.noise.feed_step = noise.feed_step;
+    }
+  }
+  return settings;
+}
+
+GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio) {
+  const double share = std::sqrt(rate_ratio);
+  return {.speed_process_noise_rad_s = share * settings.noise.speed_step,
+          .current_process_noise_a = share * settings.noise.current_step,
+          .feed_process_noise_m_s = share * settings.noise.feed_step,
+          .spindle = settings.spindle,
+          .feed = settings.feed};
+}
+
+MachineForms stated_forms(const MachineForms& forms, const gap::EffectScales<double>& from,
+                          const gap::EffectScales<double>& to) {
+  MachineForms stated;
+  for (std::size_t i = 0; i < forms.count; ++i) {
+    const EffectForm& form = forms.form[i];
+    if (form.parts > 0 && has_name(form))
+      stated.form[stated.count++] = restated({.form = form}, from, to).form;
+  }
+  return stated;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,23 @@
+#pragma once
+#include <span>
+
+#include "lib/gap/effect_scales.hpp"
+#include "sim_host/diagnose/axis_outcome.hpp"
+
+namespace morepro::host {
+
+/// What a board needs to know of a machine to find what a diagnosis has found: its noise, what chance makes
+/// of its recording, and the forms that its effects have; where something is left without a name, the
+/// functions that take it. `excluded`: effects that it is not to look for either.
+gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap::GapNoise<double>& sensors,
+                                bool is_unexplained, std::span<const gap::Effect> excluded, double rate_hz);
+
+/// The settings as a machine file states them. `rate_ratio`: of the rate that they were found at, over that
+/// of the recording; noise adds up over intervals.
+GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio);
+
+/// Those of the forms that have a name, stated for another reference point.
+gap::MachineForms stated_forms(const gap::MachineForms& forms, const gap::EffectScales<double>& from,
+                               const gap::EffectScales<double>& to);
+
+}  // namespace morepro::host
