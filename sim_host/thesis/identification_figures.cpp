@@ -88,15 +88,16 @@ Figure figure_of(int number, Parameter parameter, const std::string& title, cons
   const std::size_t j = index_of(parameter);
   Figure figure{.number = number, .section = "5.1.2", .title = title};
   const auto nominal = std::vector<double>(runs.printed_constant.time_s.size(), runs.truth[j]);
-  figure.charts = {{.title = title,
-                    .unit = unit,
-                    .x_name = "time, s",
-                    .x = runs.printed_constant.time_s,
-                    .curves = {{"the thesis's filter, constant inputs", runs.printed_constant.value[j]},
-                               {"the thesis's filter, excited", runs.printed_excited.value[j]},
-                               {"with guards, constant inputs", runs.guarded_constant.value[j]},
-                               {"this library, excited", runs.ours_excited.value[j]},
-                               {"true value", nominal, true}}}};
+  figure.charts = {
+      {.title = title,
+       .unit = unit,
+       .x_name = "time, s",
+       .x = runs.printed_constant.time_s,
+       .curves = {{"the thesis's filter, constant inputs", runs.printed_constant.value[j]},
+                  {"the thesis's filter, excited", runs.printed_excited.value[j]},
+                  {"the thesis's filter, guarded, constant inputs", runs.guarded_constant.value[j]},
+                  {"this library, excited", runs.ours_excited.value[j]},
+                  {"true value", nominal, true}}}};
   // Beside a printed value that is thousands of times larger no curve would be seen.
   constexpr double kLargestOnTheChart = 5.0;
   if (printed && printed->low == printed->high && printed->low < kLargestOnTheChart * runs.truth[j])
@@ -115,8 +116,10 @@ Figure figure_of(int number, Parameter parameter, const std::string& title, cons
        .unit = unit,
        .printed = printed,
        .ours = single(runs.printed_excited.end(parameter))},
-      guarded_comparison("with guards, constant inputs", unit, runs.guarded_constant, parameter, printed),
-      guarded_comparison("with guards, excited", unit, runs.guarded_excited, parameter, printed),
+      guarded_comparison("the thesis's filter, guarded, constant inputs", unit, runs.guarded_constant,
+                         parameter, printed),
+      guarded_comparison("the thesis's filter, guarded, excited", unit, runs.guarded_excited, parameter,
+                         printed),
       library_comparison("this library, constant inputs", unit, runs.ours_constant.last[j], runs.truth[j],
                          printed),
       library_comparison("this library, excited", unit, runs.ours_excited.last[j], runs.truth[j], printed)};

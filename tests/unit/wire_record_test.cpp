@@ -18,7 +18,7 @@ template <class T>
 Bytes random_record_of(Random& random, std::size_t payload_size) {
   while (true) {
     Bytes payload(payload_size);
-    for (auto& byte : payload) byte = static_cast<std::uint8_t>(random() % 3 == 0 ? random() : random() % 2);
+    for (auto& byte : payload) byte = static_cast<std::uint8_t>(random() % 6 == 0 ? random() : random() % 2);
     if constexpr (std::is_same_v<T, MonitorConfiguration>) payload[0] = wire::kConfigurationLayout;
     const auto bytes = sealed(static_cast<std::uint8_t>(wire::LayoutOf<T>::kType), payload);
     wire::Decoder decoder;
@@ -147,7 +147,9 @@ TEST(WireRecord, AnIntactRecordThatMeansNothingIsRefusedByItsCause) {
   Bytes bad_state(wire::kHealthPayload);
   bad_state[8] = 0xFF;
   Bytes bad_status(wire::kHealthPayload);
-  bad_status[kGapAt - 1] = 0xFF;
+  bad_status[kGapAt - 2] = 0xFF;
+  Bytes bad_partner(wire::kHealthPayload);
+  bad_partner[kGapAt - 1] = index_of(Parameter::kBackEmfConstant) + 2;
   const auto bad_gap = [](std::size_t offset, std::uint8_t value) {
     Bytes bytes(wire::kHealthPayload);
     bytes[kGapAt + offset] = value;
@@ -169,6 +171,7 @@ TEST(WireRecord, AnIntactRecordThatMeansNothingIsRefusedByItsCause) {
       {"a health that is too long", 2, Bytes(wire::kHealthPayload + 1), RecordFault::kLength},
       {"a health in no known state", 2, bad_state, RecordFault::kContent},
       {"a parameter in no known status", 2, bad_status, RecordFault::kContent},
+      {"a parameter with a partner that does not exist", 2, bad_partner, RecordFault::kContent},
       {"a gap of no known verdict", 2, bad_gap(0, 6), RecordFault::kContent},
       {"a gap in no known place", 2, bad_gap(1, 5), RecordFault::kContent},
       {"a gap by an effect without a name", 2, bad_gap(2, gap::kEffectCount), RecordFault::kContent},
