@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
-#include <span>
 #include <vector>
 
 #include "lib/monitor/configuration_check.hpp"

@@ -72,6 +72,9 @@ for (const name of Object.keys(SECTIONS)) {
     await waitForCharts(page);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `${wide} px beyond ${LOOKS[name].size.width}`);
+    assert.equal(await page.$$eval(".table", (all) => all.filter((one) => one.scrollWidth > one.clientWidth).length), 0);
+    const colors = await page.$$eval(".u-legend td", (all) => [...new Set(all.map((one) => getComputedStyle(one).color))]);
+    assert.ok(colors.length <= 1, "the colour of a verdict is not that of a legend's value");
     assert.deepEqual(await page.$$eval("section", (all) => all.map(({ id }) => id)), SECTIONS[name]);
     const result = json(name);
     assert.equal(await page.$eval(".badge", ({ dataset }) => dataset.verdict),
