@@ -33,6 +33,7 @@ constexpr void copy_limits(const From& from, To& to) {
   to.evidence = from.evidence;
   to.temperature = from.temperature;
   to.excitation = from.excitation;
+  to.noise_ratio = from.noise_ratio;
 }
 
 template <class From, class To>
@@ -44,18 +45,33 @@ constexpr void copy_gap(const From& from, To& to) {
   copy_limits(from.feed, to.feed);
 }
 
+/// An effect has a form, too.
+template <class Form>
+constexpr gap::EffectForm form_of(const Form& from) {
+  gap::EffectForm to;
+  set(from.effect, to.effect);
+  to.kind = from.kind;
+  to.parts = from.parts;
+  to.shape = from.shape;
+  return to;
+}
+
+constexpr gap::MachineForms forms_of(const morepro_gap_limits& from) {
+  gap::MachineForms to;
+  for (std::size_t i = 0; i < gap::MachineForms::kMost; ++i) to.form[i] = form_of(from.forms.form[i]);
+  to.count = from.forms.count;
+  return to;
+}
+
 constexpr gap::AppliedEffect to_cpp(const morepro_effect& from) {
   gap::AppliedEffect to;
-  set(from.effect, to.form.effect);
-  to.form.kind = from.kind;
-  to.form.parts = from.parts;
-  to.form.shape = from.shape;
+  to.form = form_of(from);
   for (std::size_t i = 0; i < to.coefficient.size(); ++i) to.coefficient[i] = from.coefficient[i];
   to.onset_s = from.onset_s;
   return to;
 }
 
-/// The built-in configurations hold no effects, so those go one way only.
+/// The built-in configurations hold no effects and no forms, so those go one way only.
 constexpr MonitorConfiguration to_cpp(const morepro_configuration& from) {
   MonitorConfiguration to;
   copy_machine(from.machine, to.machine);
@@ -66,6 +82,8 @@ constexpr MonitorConfiguration to_cpp(const morepro_configuration& from) {
   copy_tuning(from.tuning, to.tuning);
   copy_wear(from.wear, to.wear);
   copy_gap(from.gap, to.gap);
+  to.gap.spindle.forms = forms_of(from.gap.spindle);
+  to.gap.feed.forms = forms_of(from.gap.feed);
   for (std::size_t i = 0; i < MachineEffects::kMost; ++i)
     to.effects.effect[i] = to_cpp(from.effects.effect[i]);
   to.effects.count = from.effects.count;
@@ -89,6 +107,8 @@ constexpr morepro_configuration to_c(const MonitorConfiguration& from) {
 
 static_assert(MOREPRO_MOST_EFFECTS == MachineEffects::kMost);
 static_assert(MOREPRO_MOST_PARTS == gap::kMostParts);
+static_assert(MOREPRO_MOST_FORMS == gap::MachineForms::kMost);
+static_assert(MOREPRO_MOST_PARTS == gap::MachineForms::kMostParts);
 static_assert(MOREPRO_CHANNELS == kChannelCount);
 
 }  // namespace morepro::c

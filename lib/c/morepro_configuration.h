@@ -15,6 +15,9 @@ extern "C" {
 #define MOREPRO_MOST_EFFECTS 4
 /// Most coefficients of one effect.
 #define MOREPRO_MOST_PARTS 4
+/// Most forms of effects that a monitor looks for on an axis instead of its own; together they have at most
+/// MOREPRO_MOST_PARTS parts.
+#define MOREPRO_MOST_FORMS 4
 
 /// Standard deviation of a sensor's noise and size of its last bit, in the channel's unit, 0 .. 1e5. Zero
 /// where a machine has no such sensor or its noise is not known.
@@ -25,11 +28,24 @@ typedef struct morepro_sensor {
 
 enum { MOREPRO_RULE_MARKOV = 0, MOREPRO_RULE_BAYESIAN = 1, MOREPRO_RULE_THESIS = 2 };
 
+/// A form of an effect, as [[gap.forms]] of a machine file that `morepro diagnose --apply` wrote.
+typedef struct morepro_form {
+  uint8_t effect;  ///< morepro_effect_named()
+  uint8_t kind;    ///< among the laws of one effect
+  uint8_t parts;   ///< 1 .. MOREPRO_MOST_PARTS, of an unknown size each; 0: the effect is not looked for
+  float shape;     ///< what the law is not linear in, >= 0
+} morepro_form;
+
 /// What a host has found by simulating the machine without an effect in the same excitation.
 typedef struct morepro_gap_limits {
   double evidence;     ///< > 0, that chance does not reach
   double temperature;  ///< >= 1: how much more evidence chance makes than independent rows would
   double excitation;   ///< > 0: how many times better than its datasheet each parameter must be known
+  double noise_ratio;  ///< > 0: residual power of the machine without a gap over that of expected noise
+  struct {
+    morepro_form form[MOREPRO_MOST_FORMS];  ///< those behind `count` mean nothing
+    uint32_t count;
+  } forms;
 } morepro_gap_limits;
 
 /// An effect that the machine is known to have, as in a machine file that `morepro diagnose --apply` wrote.

@@ -42,6 +42,8 @@ class FeedObserver {
   }
 
   Terms& terms() { return terms_; }
+  /// Columns in use: parameters and terms.
+  [[nodiscard]] std::size_t columns() const { return kFeedParameters + terms_.size(); }
   /// What the effects of the model added during the last interval, and what they made the sensors show at its
   /// beginning.
   [[nodiscard]] const Contribution<Real>& added() const { return added_; }
@@ -81,7 +83,7 @@ class FeedObserver {
     if (!frame.has_feed_speed && !frame.has_feed_position) return;
     is_started_ = true;
     driven_m_s_ = frame.has_feed_speed ? frame.feed_speed_m_s : Real(0);
-    observer_.set_columns(kFeedParameters + terms_.size());
+    observer_.set_columns(columns());
     if (!has_origin_) origin_m_ = frame.has_feed_position ? frame.feed_position_m : Real(0);
     has_origin_ = true;
     const Real wide = terms_.scales().feed_speed_m_s;

@@ -23,11 +23,11 @@ class GapWatch {
   using FeedAxis = GapWatchAxis<Real, Feed, kFeedParameters, kFeedForms.size()>;
 
   /// Frames of a stretch that give a row per axis.
-  static constexpr std::size_t kRowsOfStretch = 112;
+  static constexpr std::size_t kRowsOfStretch = 128;
   /// Frames from the beginning of a stretch to that of the next one: long enough for all pieces, all columns
-  /// of the rows and the judgement, 8 k frames. A stretch of 26 ms every 1.2 s at 10 kHz: more would not fit
+  /// of the rows and the judgement, 8.6 k frames. A stretch of 27 ms every 1.13 s at 10 kHz: more would not fit
   /// beside the monitor.
-  static constexpr std::size_t kShortestCycle = 9856;
+  static constexpr std::size_t kShortestCycle = 9272;
 
   /// step_s > 0: sampling interval of the frames. Cold: small instead of fast.
   [[gnu::cold]] GapWatch(const MachineParameters& machine, const ReferencePoint& point, double step_s,

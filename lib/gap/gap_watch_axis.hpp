@@ -101,6 +101,7 @@ class GapWatchAxis {
     if (!is_sound) return;
     insertion_.row[Statistics::kY] = bounded * row.innovation;
     insertion_.next = 0;
+    insertion_.used = observer_.columns();
     is_judged_ = is_judging_ = false;
   }
 

@@ -23,7 +23,8 @@ class GapWatchEvaluation {
       : spread_(spread),
         threshold_(static_cast<Real>(limits.evidence)),
         temperature_(static_cast<Real>(limits.temperature)),
-        least_excitation_(static_cast<Real>(limits.excitation)) {}
+        least_excitation_(static_cast<Real>(limits.excitation)),
+        noise_ratio_(static_cast<Real>(limits.noise_ratio)) {}
 
   /// The next form in the order of the columns; at most kForms.
   void add(const EffectForm& form) { forms_[form_count_++] = form; }
@@ -73,11 +74,16 @@ class GapWatchEvaluation {
   static constexpr Real kAllExplained = Real(1.15);
   // Of what is beyond noise: shapes that are not quite the machine's leave something.
   static constexpr Real kMostLeft = Real(0.5);
+  // Several together explain much of anything: random loads of some duration, for example.
+  static constexpr Real kMostLeftBySeveral = Real(0.2);
   static constexpr Real kMostNameless = Real(0.2);
   static constexpr std::size_t kMostFound = 4;
   static constexpr Real kLogOf20 = Real(2.9957323);
 
   [[nodiscard]] Real rows() const { return static_cast<Real>(statistics_.rows()); }
+
+  /// Residual sum of squares of a machine without a gap.
+  [[nodiscard]] Real noise() const { return noise_ratio_ * rows(); }
 
   [[nodiscard]] Real evidence(Real before, Real after, Real freedom) const {
     return rows() * math::log(before / std::max(after, Real(1.0e-6) * before)) - freedom * math::log(rows());
@@ -189,7 +195,7 @@ class GapWatchEvaluation {
     if (!(excitation_ > least_excitation_)) return GapVerdict::kInsufficientExcitation;
     if (found_ > 0) return is_explained() ? GapVerdict::kEffect : GapVerdict::kUnexplained;
     if (parameter_evidence() > threshold_) return GapVerdict::kParameterError;
-    return rest_ > kMostResidual * rows() ? GapVerdict::kUnexplained : GapVerdict::kNoGap;
+    return rest_ > kMostResidual * noise() ? GapVerdict::kUnexplained : GapVerdict::kNoGap;
   }
 
   [[nodiscard]] Real parameter_evidence() const { return evidence(whole_, refitted_, Real(kParameters)); }
@@ -197,9 +203,12 @@ class GapWatchEvaluation {
   static constexpr bool has_name(Effect effect) { return effect < Effect::kUnnamedTorque; }
 
   [[nodiscard]] bool is_explained() const {
-    if (nameless_ > kMostNameless * (refitted_ - rows())) return false;
-    return rest_ < kAllExplained * rows() || rest_ - rows() < kMostLeft * (refitted_ - rows());
+    const Real excess = std::max(refitted_ - noise(), Real(0));
+    const bool is_named = nameless_ == Real(0) || nameless_ < kMostNameless * excess;
+    return is_named && (rest_ < kAllExplained * noise() || rest_ - noise() < most_left() * excess);
   }
+
+  [[nodiscard]] Real most_left() const { return found_ > 1 ? kMostLeftBySeveral : kMostLeft; }
 
   [[nodiscard]] bool is_effect() const {
     return evidence_[best_] > threshold_ && gain_[best_] > kSecondOrder * (whole_ - refitted_);
@@ -216,6 +225,7 @@ class GapWatchEvaluation {
   Real threshold_;
   Real temperature_;
   Real least_excitation_;
+  Real noise_ratio_;
   Statistics statistics_{};
   typename Statistics::Insertion prior_{};
   GapFinding finding_{};

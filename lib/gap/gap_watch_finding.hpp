@@ -66,6 +66,7 @@ struct GapLimits {
   double evidence = 25.0;    ///< > 0, that chance does not reach
   double temperature = 1.0;  ///< >= 1: how much more evidence chance makes than independent rows would
   double excitation = 5.0;   ///< > 0: how many times better than its datasheet each parameter must be known
+  double noise_ratio = 1.0;  ///< > 0: residual power of the machine without a gap over that of expected noise
   MachineForms forms{};
 };
 

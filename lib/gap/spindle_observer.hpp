@@ -43,6 +43,8 @@ class SpindleObserver {
                        noise.current_step * noise.current_step} {}
 
   Terms& terms() { return terms_; }
+  /// Columns in use: parameters and terms.
+  [[nodiscard]] std::size_t columns() const { return kSpindleParameters + terms_.size(); }
   /// What the effects of the model added during the last interval, and what they made the sensors show at its
   /// beginning.
   [[nodiscard]] const Contribution<Real>& added() const { return added_; }
@@ -73,7 +75,7 @@ class SpindleObserver {
   void start(const GapFrame<Real>& frame) {
     if (!frame.has_speed) return;
     is_started_ = true;
-    observer_.set_columns(kSpindleParameters + terms_.size());
+    observer_.set_columns(columns());
     const auto& k = terms_.scales();
     const Real still_a =
         (frame.input.armature_voltage_v - k.back_emf_constant_vs_rad * frame.speed_rad_s) / k.resistance_ohm;

@@ -21,8 +21,9 @@ class SquareRootStatistics {
   /// A row on its way into the triangle.
   struct Insertion {
     Row row{};
-    std::size_t next = kWidth;  ///< column that is turned next; kWidth: done
-    bool is_measured = true;    ///< counts as one of rows()
+    std::size_t next = kWidth;    ///< column that is turned next; kWidth: done
+    std::size_t used = kColumns;  ///< columns from here on are zero, but for y
+    bool is_measured = true;      ///< counts as one of rows()
     [[nodiscard]] bool is_done() const { return next == kWidth; }
   };
 
@@ -36,7 +37,8 @@ class SquareRootStatistics {
   /// Turns one column of the row into the triangle; true where the row is in. Until then the rest of the row
   /// is missing from what is asked; other rows may come between.
   bool advance(Insertion& insertion) {
-    turn(insertion.next++, insertion.row);
+    turn(insertion.next++, insertion.row, insertion.used);
+    if (insertion.next == insertion.used) insertion.next = kY;
     if (!insertion.is_done()) return false;
     if (insertion.is_measured) ++rows_;
     return true;
@@ -47,7 +49,7 @@ class SquareRootStatistics {
     for (std::size_t j = 0; j < kWidth; ++j) {
       Row row{};
       for (std::size_t c = j; c < kWidth; ++c) row[c] = other.factor(j, c);
-      for (std::size_t c = j; c < kWidth; ++c) turn(c, row);
+      for (std::size_t c = j; c < kWidth; ++c) turn(c, row, kColumns);
     }
     rows_ += other.rows_;
   }
@@ -105,7 +107,7 @@ class SquareRootStatistics {
  private:
   static constexpr std::size_t start_of(std::size_t row) { return row * kWidth - row * (row - 1) / 2; }
 
-  void turn(std::size_t column, Row& row) {
+  void turn(std::size_t column, Row& row, std::size_t used) {
     const Real x = row[column];
     Real* const r = &factor_[start_of(column)];
     const Real length = math::sqrt(r[0] * r[0] + x * x);
@@ -113,12 +115,15 @@ class SquareRootStatistics {
     const Real cosine = r[0] / length;
     const Real sine = x / length;
     r[0] = length;
-    for (std::size_t k = 1; k < kWidth - column; ++k) {
-      const Real kept = r[k];
-      const Real taken = row[column + k];
-      r[k] = cosine * kept + sine * taken;
-      row[column + k] = cosine * taken - sine * kept;
-    }
+    for (std::size_t k = column + 1; k < used; ++k) rotate(cosine, sine, r[k - column], row[k]);
+    if (column < kY) rotate(cosine, sine, r[kY - column], row[kY]);
+  }
+
+  static void rotate(Real cosine, Real sine, Real& factor, Real& row) {
+    const Real kept = factor;
+    const Real taken = row;
+    factor = cosine * kept + sine * taken;
+    row = cosine * taken - sine * kept;
   }
 
   std::array<Real, kWidth*(kWidth + 1) / 2> factor_{};

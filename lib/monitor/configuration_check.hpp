@@ -58,8 +58,10 @@ inline ConfigurationResult check_positive(const MonitorConfiguration& c) {
                        {c.wear.low_ratio, "wear.low_ratio"},
                        {c.gap.spindle.evidence, "gap.spindle_evidence"},
                        {c.gap.spindle.excitation, "gap.spindle_excitation"},
+                       {c.gap.spindle.noise_ratio, "gap.spindle_noise_ratio"},
                        {c.gap.feed.evidence, "gap.feed_evidence"},
                        {c.gap.feed.excitation, "gap.feed_excitation"},
+                       {c.gap.feed.noise_ratio, "gap.feed_noise_ratio"},
                    }),
                    false);
 }
@@ -161,6 +163,7 @@ inline ConfigurationResult check_forms(const gap::MachineForms& forms, double ra
   for (std::size_t i = 0; i < forms.count; ++i) {
     const gap::EffectForm& form = forms.form[i];
     parts += form.parts;
+    if (gap::index_of(form.effect) >= gap::kEffectCount) return {kEffectUnknown, "gap.forms"};
     if (form.parts == 0) continue;  // takes a form away and has no shape
     if (const auto result = check_shape(form, rate_hz, "gap.forms"); !result.ok()) return result;
   }

@@ -97,10 +97,8 @@ inline constexpr auto kFields<gap::MachineForms> =
 
 template <>
 inline constexpr auto kFields<gap::GapLimits> = std::tuple{
-    &gap::GapLimits::evidence,
-    &gap::GapLimits::temperature,
-    &gap::GapLimits::excitation,
-    &gap::GapLimits::forms,
+    &gap::GapLimits::evidence,    &gap::GapLimits::temperature, &gap::GapLimits::excitation,
+    &gap::GapLimits::noise_ratio, &gap::GapLimits::forms,
 };
 
 template <>

@@ -5,6 +5,7 @@
 
 #include "lib/gap/board_forms.hpp"
 #include "lib/gap/effect_size.hpp"
+#include "sim_host/diagnose/innovation_pass.hpp"
 
 namespace morepro::host {
 namespace {
@@ -27,12 +28,27 @@ void leave_out(gap::Effect effect, MachineForms& forms) {
   add({.effect = effect, .kind = 0, .parts = 0, .shape = 0.0F}, 0.0, forms);
 }
 
+/// Residual power of the model with its effects, as the board counts outliers, over that of expected noise:
+/// what has a short memory, or grows with the speed, is noise too.
+double noise_ratio(const AxisFit& fit) {
+  constexpr double kHuber = 5.0;
+  double sum = 0.0;
+  double count = 0.0;
+  run_observer(fit.axis(), fit.signals(), fit.model(), {}, 0, fit.signals().rows, [&](const Innovation& v) {
+    const double size = std::fabs(v.value) / std::sqrt(v.variance);
+    sum += size < kHuber ? size * size : kHuber * size;
+    count += 1.0;
+  });
+  return count > 0.0 ? std::max(1.0, sum / count) : 1.0;
+}
+
 void take(const AxisOutcome& outcome, bool is_unexplained, double rate_hz, gap::GapLimits& limits) {
   limits.evidence = std::max(limits.evidence, outcome.chance.quantile99);
   limits.temperature = std::max(1.0, outcome.chance.temperature);
   const auto& functions = outcome.leftover.functions;
   for (std::size_t i = 0; is_unexplained && i < std::min(kMostNameless, functions.size()); ++i)
     add(functions[i], rate_hz, limits.forms);
+  if (!is_unexplained) limits.noise_ratio = noise_ratio(outcome.diagnosis.fit);
   for (const Finding& finding : outcome.diagnosis.found) add(finding.effect.form, rate_hz, limits.forms);
 }
 

@@ -6,7 +6,7 @@
 namespace morepro::host {
 
 /// What the board's own watch, in float, says about a recording of this machine with these settings. It looks
-/// at some 26 ms out of every second (at 10 kHz), which is little of a short recording: so the statistics of
+/// at 27 ms out of every 1.13 s (at 10 kHz), which is little of a short recording: so the statistics of
 /// watches that look at other moments of it are merged, as of a board that has seen the machine for so long
 /// that it has seen all of this. Where it says that values of the datasheet are wrong, it is given the
 /// `refitted` ones and looks again: an effect that it then finds is its answer. `is_excited`: the recording

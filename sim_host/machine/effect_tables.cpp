@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/gap/board_forms.hpp"
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "sim_host/machine/effect_rules.hpp"

@@ -86,9 +86,11 @@ constexpr std::array kKeys{
     at_least_1(
         setting<kGap, kSpindle, &gap::GapLimits::temperature>("gap", "spindle_temperature", "spindle")),
     positive(setting<kGap, kSpindle, &gap::GapLimits::excitation>("gap", "spindle_excitation", "spindle")),
+    positive(setting<kGap, kSpindle, &gap::GapLimits::noise_ratio>("gap", "spindle_noise_ratio", "spindle")),
     positive(setting<kGap, kFeed, &gap::GapLimits::evidence>("gap", "feed_evidence", "feed")),
     at_least_1(setting<kGap, kFeed, &gap::GapLimits::temperature>("gap", "feed_temperature", "feed")),
     positive(setting<kGap, kFeed, &gap::GapLimits::excitation>("gap", "feed_excitation", "feed")),
+    positive(setting<kGap, kFeed, &gap::GapLimits::noise_ratio>("gap", "feed_noise_ratio", "feed")),
     at_least_1(setting<kWear, &WearLimits::watch_ratio>("wear", "watch_ratio", "contact")),
     at_least_1(setting<kWear, &WearLimits::replace_ratio>("wear", "replace_ratio", "contact")),
     between(setting<kWear, &WearLimits::low_ratio>("wear", "low_ratio", "contact"), 0.0, kExclusive, 1.0),

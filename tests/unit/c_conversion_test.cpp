@@ -44,6 +44,15 @@ morepro_configuration numbered() {
     effect.shape = static_cast<float>(40 + i);
   }
   c.effects.count = 3;
+  for (morepro_gap_limits* limits : {&c.gap.spindle, &c.gap.feed}) {
+    const auto first = static_cast<std::uint8_t>(limits == &c.gap.feed ? 10 : 0);
+    for (std::uint8_t i = 0; i < MOREPRO_MOST_FORMS; ++i) {
+      const auto number = static_cast<std::uint8_t>(first + i);
+      limits->forms.form[i] = {number, static_cast<std::uint8_t>(number + 1),
+                               static_cast<std::uint8_t>(number + 2), static_cast<float>(number + 3)};
+    }
+    limits->forms.count = static_cast<std::uint32_t>(first + 4);
+  }
   c.rule = MOREPRO_RULE_BAYESIAN;
   return c;
 }
@@ -56,6 +65,9 @@ bool is_double_in(std::size_t slot) {
                                place(offsetof(morepro_configuration, rule))};
   for (std::size_t i = 0; i < MOREPRO_MOST_EFFECTS; ++i)
     others.insert(place(offsetof(morepro_configuration, effects) + i * sizeof(morepro_effect)));
+  for (const std::size_t limits :
+       {offsetof(morepro_configuration, gap.spindle.forms), offsetof(morepro_configuration, gap.feed.forms)})
+    for (std::size_t i = 0; i < sizeof(morepro_gap_limits::forms); i += 4) others.insert(place(limits + i));
   return !others.contains(slot);
 }
 
@@ -73,6 +85,16 @@ TEST(CConversion, PutsEveryNumberOfAConfigurationInItsPlace) {
   EXPECT_EQ(cpp.grid.count, 7U);
   EXPECT_EQ(cpp.effects.count, 3U);
   EXPECT_EQ(cpp.rule, DecisionRule::kBayesian);
+  for (const unsigned first : {0U, 10U}) {
+    const gap::MachineForms& forms = first == 0 ? cpp.gap.spindle.forms : cpp.gap.feed.forms;
+    EXPECT_EQ(forms.count, first + 4);
+    for (std::uint8_t i = 0; i < MOREPRO_MOST_FORMS; ++i) {
+      EXPECT_EQ(gap::index_of(forms.form[i].effect), first + i);
+      EXPECT_EQ(forms.form[i].kind, first + i + 1);
+      EXPECT_EQ(forms.form[i].parts, first + i + 2);
+      EXPECT_EQ(forms.form[i].shape, static_cast<float>(first + i + 3));
+    }
+  }
   for (std::size_t i = 0; i < MOREPRO_MOST_EFFECTS; ++i) {
     const auto& form = cpp.effects.effect[i].form;
     EXPECT_EQ(gap::index_of(form.effect), 10 + i);
@@ -96,6 +118,7 @@ TEST(CConversion, GivesABuiltInConfigurationBackAsItIs) {
     EXPECT_EQ(c.machine.contact.form, static_cast<std::uint8_t>(built_in.machine.contact.form));
     EXPECT_EQ(c.grid.count, built_in.grid.count);
     EXPECT_EQ(c.effects.count, 0U);
+    EXPECT_EQ(c.gap.spindle.forms.count + c.gap.feed.forms.count, 0U);
     EXPECT_EQ(c.rule, static_cast<std::uint8_t>(built_in.rule));
   }
   EXPECT_EQ(morepro_thesis_machine().spindle.torque_constant_nm_a, 1.5);

@@ -12,6 +12,8 @@ using test::collected;
 using test::kColumns;
 using test::random_rows;
 using test::schur;
+template <class Real>
+using Statistics = test::Statistics<Real>;
 
 TEST(SquareRootStatistics, HoldTheProductsOfTheirRows) {
   const Eigen::MatrixXd rows = random_rows(50, 1);

@@ -201,7 +201,7 @@ TEST(GapWatch, BeginsAStretchAnewAfterAGap) {
   watch.interrupt();
   int observed = 0;
   for (; !watch.is_resting(); ++observed) watch.step(frame);
-  EXPECT_EQ(observed, 256);
+  EXPECT_EQ(observed, 272);
 }
 
 TEST(GapWatch, AStretchThatIsAbandonedIsNotUsed) {

@@ -105,6 +105,19 @@ MachineEffects golden_effects() {
   return effects;
 }
 
+gap::MachineForms golden_spindle_forms() {
+  gap::MachineForms forms{.count = 2};
+  forms.form[0] = {.effect = gap::Effect::kSpindleCogging, .kind = 0, .parts = 2, .shape = 7.0F};
+  forms.form[1] = {.effect = gap::Effect::kArmatureReaction, .kind = 1, .parts = 1, .shape = 0.0F};
+  return forms;
+}
+
+gap::MachineForms golden_feed_forms() {
+  gap::MachineForms forms{.count = 1};
+  forms.form[0] = {.effect = gap::Effect::kFeedStribeckFriction, .kind = 0, .parts = 1, .shape = 0.0625F};
+  return forms;
+}
+
 MonitorConfiguration golden_configuration() {
   MonitorConfiguration configuration{
       .machine = golden_machine(),
@@ -120,8 +133,16 @@ MonitorConfiguration golden_configuration() {
       .gap = {.speed_process_noise_rad_s = 0.125,
               .current_process_noise_a = 0.25,
               .feed_process_noise_m_s = 0.375,
-              .spindle = {.evidence = 30.5, .temperature = 2.5, .excitation = 6.5},
-              .feed = {.evidence = 40.5, .temperature = 3.5, .excitation = 7.5}},
+              .spindle = {.evidence = 30.5,
+                          .temperature = 2.5,
+                          .excitation = 6.5,
+                          .noise_ratio = 1.5,
+                          .forms = golden_spindle_forms()},
+              .feed = {.evidence = 40.5,
+                       .temperature = 3.5,
+                       .excitation = 7.5,
+                       .noise_ratio = 2.5,
+                       .forms = golden_feed_forms()}},
       .effects = golden_effects(),
       .rule = DecisionRule::kThesis};
   for (std::size_t k = 0; k < kChannelCount; ++k) {
@@ -152,7 +173,7 @@ TEST(WireGolden, HealthHasItsBytes) {
 
 TEST(WireGolden, ConfigurationHasItsBytes) {
   EXPECT_EQ(hex(encoded(golden_configuration())),
-            "2303039a9999999999b93f9a9999999999c93f343333333333d33f9a9999999999d93f010101010123e03f3433"
+            "2303049a9999999999b93f9a9999999999c93f343333333333d33f9a9999999999d93f010101010123e03f3433"
             "33333333e33f676666666666e63f9a9999999999e93fcdccccccccccec3f010101010123f03f9a9999999999f1"
             "3f343333333333f33fcdccccccccccf43f676666666666f63f010101010104f83f010101010104803440010101"
             "010480354001010101048036400101010104803740010101010480384001010101048039400101010104803a40"
@@ -165,11 +186,13 @@ TEST(WireGolden, ConfigurationHasItsBytes) {
             "f1d24d62503ffca9f1d24d62603ffa7e6abc7493683ffca9f1d24d62703f7b14ae47e17a743ffa7e6abc749378"
             "3f010101010103154001010101010319400101010101031d40010101010c8020409a9999999999a93f01010101"
             "0103c03f010101010103d03f010101010103d83f0101010104803e4001010101010304400101010101031a4001"
-            "010101044044400101010101030c400101010101041e4003020201034041010101010103d03f010101010103e0"
-            "bf01010101010101010101010101010101010101010106f83f1f010101010101010101010103c03f0101010101"
-            "010101010101010101010101010101010101010101010101010101010201010101010101010101010101010101"
-            "010101010101010101010101010101010101010101010101010101010101020101010101010101010101010101"
-            "010101010101010101010101010101010101010101010101010101010101020201010602c3c5d32400");
+            "0101010104f83f0302020106e0401f010101010101010201010101010102010101010202010101010101010440"
+            "44400101010101030c400101010101031e4001010101010404400e02010103803d010201010101010102010101"
+            "0101010201010101020101010203020201034041010101010103d03f010101010103e0bf010101010101010101"
+            "01010101010101010101010106f83f1f010101010101010101010103c03f010101010101010101010101010101"
+            "010101010101010101010101010101010101020101010101010101010101010101010101010101010101010101"
+            "010101010101010101010101010101010101010102010101010101010101010101010101010101010101010101"
+            "010101010101010101010101010101010101010102020101060222688b2b00");
 }
 
 TEST(WireGolden, ControlRecordsHaveTheirBytes) {
