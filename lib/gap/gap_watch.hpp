@@ -25,8 +25,8 @@ class GapWatch {
   /// Frames of a stretch that give a row per axis.
   static constexpr std::size_t kRowsOfStretch = 128;
   /// Frames from the beginning of a stretch to that of the next one: long enough for all pieces, all columns
-  /// of the rows and the judgement, 8.6 k frames. A stretch of 27 ms every 1.13 s at 10 kHz: more would not fit
-  /// beside the monitor.
+  /// of the rows and the judgement, 8.6 k frames. A stretch of 27 ms every 1.13 s at 10 kHz: more would not
+  /// fit beside the monitor.
   static constexpr std::size_t kShortestCycle = 9272;
 
   /// step_s > 0: sampling interval of the frames. Cold: small instead of fast.
