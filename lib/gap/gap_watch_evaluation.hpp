@@ -165,10 +165,11 @@ class GapWatchEvaluation {
   }
 
   bool judge_alias(std::size_t i) {
-    if (draft_.alias_count == kMostAliases || is_listed(forms_[i].effect)) return false;
+    const Effect effect = forms_[i].effect;
+    if (draft_.alias_count == kMostAliases || is_listed(effect) || !has_name(effect)) return false;
     const Real lead = evidence_[best_] - evidence_[i];
     const Real close = Real(2) * temperature_ * kLogOf20;
-    if (lead <= close || resembles_best(i)) draft_.alias[draft_.alias_count++] = forms_[i].effect;
+    if (lead <= close || resembles_best(i)) draft_.alias[draft_.alias_count++] = effect;
     return false;
   }
 
@@ -193,7 +194,8 @@ class GapWatchEvaluation {
   [[nodiscard]] GapVerdict verdict() const {
     if (statistics_.rows() < kFewestRows) return GapVerdict::kNotEnoughData;
     if (!(excitation_ > least_excitation_)) return GapVerdict::kInsufficientExcitation;
-    if (found_ > 0) return is_explained() ? GapVerdict::kEffect : GapVerdict::kUnexplained;
+    if (found_ > 0)
+      return is_explained() && has_name(draft_.effect) ? GapVerdict::kEffect : GapVerdict::kUnexplained;
     if (parameter_evidence() > threshold_) return GapVerdict::kParameterError;
     return rest_ > kMostResidual * noise() ? GapVerdict::kUnexplained : GapVerdict::kNoGap;
   }

@@ -81,12 +81,6 @@ class Verdicts(Diagnose):
         self.assertIn('[[gap.forms]]\nname = "feed_force_offset"\n', stored)
         self.must_do("config", "--machine", "found.toml")
 
-    def test_a_board_that_saw_too_little_says_so(self):
-        self.simulate("--effect", "feed_force_offset=2", duration=0.11)
-        board = self.diagnose()["board"]
-        self.assertEqual(board["verdict"], "not_enough_data")
-        self.assertFalse(board["agrees"])
-
     def test_says_when_an_effect_set_in(self):
         self.simulate("--effect", "current_bias=0.5,from=3")
         result = self.diagnose()

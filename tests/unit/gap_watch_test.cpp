@@ -118,6 +118,24 @@ TEST(GapWatch, ClaimsNoCauseWhereAFunctionWithoutANameExplainsMore) {
   EXPECT_EQ(found(run, test::gap_configuration().machine, settings).verdict, GapVerdict::kUnexplained);
 }
 
+TEST(GapWatch, NamesNoFunctionWithoutAName) {
+  const AppliedEffect windage = test::gap_effect(Effect::kSpindleWindage, 2.0e-7);
+  const AppliedEffect bias = test::gap_effect(Effect::kCurrentBias, 1.0);
+  GapSettings settings = test::gap_settings();
+  settings.spindle.forms.form[0] = {.effect = Effect::kUnnamedTorque, .kind = 3, .parts = 1, .shape = 0.0F};
+  settings.spindle.forms.count = 1;
+  const auto& machine = test::gap_configuration().machine;
+  const GapFinding alike = found({.effects = {windage}, .duration_s = 24.0, .seed = 7}, machine, settings);
+  EXPECT_EQ(alike.verdict, GapVerdict::kEffect);
+  for (std::size_t i = 0; i < alike.alias_count; ++i) EXPECT_LT(alike.alias[i], Effect::kUnnamedTorque);
+  // The first to be found has no name, and is little of all.
+  settings.spindle.forms.form[1] = {.effect = Effect::kSpindleWindage, .kind = 0, .parts = 0, .shape = 0.0F};
+  settings.spindle.forms.count = 2;
+  const GapFinding both =
+      found({.effects = {windage, bias}, .duration_s = 24.0, .seed = 7}, machine, settings);
+  EXPECT_TRUE(both.verdict != GapVerdict::kEffect || both.effect < Effect::kUnnamedTorque);
+}
+
 TEST(GapWatch, NamesNoEffectWhereThereIsNone) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
     EXPECT_EQ(found({.duration_s = 8.0, .seed = seed}).verdict, GapVerdict::kNoGap) << seed;
