@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "tests/support/gap_runs.hpp"
@@ -77,10 +78,12 @@ GapFinding found_with(const GapRun& run, const EffectForm& form) {
   return found(run, test::gap_configuration().machine, settings);
 }
 
+// The stronger one explains less than half of it.
 TEST(GapWatch, NamesTheStrongerOfTwoEffectsInOneAxis) {
   const GapFinding finding = found({.effects = {test::gap_effect(Effect::kSpindleCoulombFriction, 0.1),
-                                                test::gap_effect(Effect::kBrushVoltageDrop, 2.0)},
-                                    .duration_s = 24.0});
+                                                test::gap_effect(Effect::kBrushVoltageDrop, 0.45)},
+                                    .duration_s = 24.0,
+                                    .seed = 7});
   EXPECT_EQ(finding.verdict, GapVerdict::kEffect);
   EXPECT_EQ(finding.effect, Effect::kBrushVoltageDrop) << name(finding.effect);
 }
@@ -106,34 +109,42 @@ TEST(GapWatch, DoesNotLookForWhatWasTakenAway) {
   EXPECT_FALSE(finding.verdict == GapVerdict::kEffect && is_named(finding, Effect::kFeedForceOffset));
 }
 
-TEST(GapWatch, ClaimsNoCauseWhereAFunctionWithoutANameExplainsMore) {
-  const GapRun run{
-      .effects = {test::gap_effect(Effect::kSpindleWindage, 2.0e-7)}, .duration_s = 24.0, .seed = 7};
-  ASSERT_EQ(found(run).verdict, GapVerdict::kEffect);
-  // w |w|, the law of windage, without its name.
+/// With w |w|, the law of windage, without its name.
+GapSettings nameless_windage(bool has_named_one) {
   GapSettings settings = test::gap_settings();
-  settings.spindle.forms.form[0] = {.effect = Effect::kUnnamedTorque, .kind = 3, .parts = 1, .shape = 0.0F};
-  settings.spindle.forms.form[1] = {.effect = Effect::kSpindleWindage, .kind = 0, .parts = 0, .shape = 0.0F};
-  settings.spindle.forms.count = 2;
-  EXPECT_EQ(found(run, test::gap_configuration().machine, settings).verdict, GapVerdict::kUnexplained);
+  MachineForms& forms = settings.spindle.forms;
+  forms.form[0] = {.effect = Effect::kUnnamedTorque, .kind = 3, .parts = 1, .shape = 0.0F};
+  forms.form[1] = {.effect = Effect::kSpindleWindage, .kind = 0, .parts = 0, .shape = 0.0F};
+  forms.count = has_named_one ? 1 : 2;
+  return settings;
+}
+
+GapFinding found_nameless(const std::vector<AppliedEffect>& effects, const GapSettings& settings) {
+  return found({.effects = effects, .duration_s = 24.0, .seed = 7}, test::gap_configuration().machine,
+               settings);
 }
 
 TEST(GapWatch, NamesNoFunctionWithoutAName) {
   const AppliedEffect windage = test::gap_effect(Effect::kSpindleWindage, 2.0e-7);
-  const AppliedEffect bias = test::gap_effect(Effect::kCurrentBias, 1.0);
-  GapSettings settings = test::gap_settings();
-  settings.spindle.forms.form[0] = {.effect = Effect::kUnnamedTorque, .kind = 3, .parts = 1, .shape = 0.0F};
-  settings.spindle.forms.count = 1;
-  const auto& machine = test::gap_configuration().machine;
-  const GapFinding alike = found({.effects = {windage}, .duration_s = 24.0, .seed = 7}, machine, settings);
+  EXPECT_EQ(found_nameless({windage}, nameless_windage(false)).verdict, GapVerdict::kUnexplained);
+  const GapFinding alike = found_nameless({windage}, nameless_windage(true));
   EXPECT_EQ(alike.verdict, GapVerdict::kEffect);
   for (std::size_t i = 0; i < alike.alias_count; ++i) EXPECT_LT(alike.alias[i], Effect::kUnnamedTorque);
-  // The first to be found has no name, and is little of all.
-  settings.spindle.forms.form[1] = {.effect = Effect::kSpindleWindage, .kind = 0, .parts = 0, .shape = 0.0F};
-  settings.spindle.forms.count = 2;
-  const GapFinding both =
-      found({.effects = {windage, bias}, .duration_s = 24.0, .seed = 7}, machine, settings);
-  EXPECT_TRUE(both.verdict != GapVerdict::kEffect || both.effect < Effect::kUnnamedTorque);
+}
+
+// What it explains is little of a residual that is all but noise.
+TEST(GapWatch, NamesNoFunctionWithoutANameThatExplainsLittle) {
+  GapSettings settings = nameless_windage(false);
+  settings.spindle.noise_ratio = 0.88;
+  EXPECT_EQ(found_nameless({test::gap_effect(Effect::kSpindleWindage, 6.0e-8)}, settings).verdict,
+            GapVerdict::kUnexplained);
+}
+
+TEST(GapWatch, ClaimsNoCauseWhereAFunctionWithoutANameExplainsAsMuch) {
+  const std::vector effects{test::gap_effect(Effect::kSpindleCogging, 0.05),
+                            test::gap_effect(Effect::kSpindleWindage, 8.0e-7),
+                            test::gap_effect(Effect::kCurrentBias, 0.16)};
+  EXPECT_EQ(found_nameless(effects, nameless_windage(false)).verdict, GapVerdict::kUnexplained);
 }
 
 TEST(GapWatch, NamesNoEffectWhereThereIsNone) {
@@ -166,6 +177,16 @@ TEST(GapWatch, IsWaryWhereTheNoiseIsNotTheOneItExpects) {
     named +=
         found({.duration_s = 8.0, .seed = seed, .process_noise = 0.3}).verdict == GapVerdict::kEffect ? 1 : 0;
   EXPECT_LE(named, 2);
+}
+
+TEST(GapWatch, TakesForNoiseWhatTheHostHasSeenAsNoise) {
+  const GapRun run{.duration_s = 12.0, .seed = 4, .process_noise = 0.3};
+  const auto& machine = test::gap_configuration().machine;
+  GapSettings settings = test::gap_settings();
+  for (GapLimits* limits : {&settings.spindle, &settings.feed}) limits->evidence = 1.0e6;
+  EXPECT_EQ(found(run, machine, settings).verdict, GapVerdict::kUnexplained);
+  for (GapLimits* limits : {&settings.spindle, &settings.feed}) limits->noise_ratio = 100.0;
+  EXPECT_EQ(found(run, machine, settings).verdict, GapVerdict::kNoGap);
 }
 
 TEST(GapWatch, SaysNothingBeforeItHasSeenEnough) {
