@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim_host/support/input_file.hpp"
+#include "sim_host/support/parsed_toml.hpp"
 #include "sim_host/support/suggestion.hpp"
 
 namespace morepro::host {
@@ -14,22 +14,9 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-toml::table parse(const std::string& path) {
-  const InputFile file(path);
-  try {
-    return toml::parse(file.text(), path);
-  } catch (const toml::parse_error& error) {
-    std::string sentence(error.description());
-    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-    const auto& begin = error.source().begin;
-    throw UserError(TextPlace{path, begin.line, begin.column},
-                    fmt::format("no valid TOML: {}; correct this place", sentence));
-  }
-}
-
 }  // namespace
 
-TomlReader::TomlReader(const std::string& path) : path_(path), root_(parse(path)) {}
+TomlReader::TomlReader(const std::string& path) : path_(path), root_(parsed_toml(path)) {}
 
 TextPlace TomlReader::place(const toml::node& node) const {
   return {path_, node.source().begin.line, node.source().begin.column};

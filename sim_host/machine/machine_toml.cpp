@@ -7,28 +7,12 @@
 
 #include "lib/monitor/configuration_check.hpp"
 #include "sim_host/machine/machine_rules.hpp"
-#include "sim_host/support/input_file.hpp"
+#include "sim_host/support/parsed_toml.hpp"
 #include "sim_host/support/suggestion.hpp"
 
 namespace morepro::host {
-namespace {
 
-toml::table parse(const std::string& path) {
-  const InputFile file(path);
-  try {
-    return toml::parse(file.text(), path);
-  } catch (const toml::parse_error& error) {
-    std::string sentence(error.description());
-    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-    const auto& begin = error.source().begin;
-    throw UserError(TextPlace{path, begin.line, begin.column},
-                    fmt::format("no valid TOML: {}; correct this place", sentence));
-  }
-}
-
-}  // namespace
-
-MachineToml::MachineToml(const std::string& path) : path_(path), root_(parse(path)) {}
+MachineToml::MachineToml(const std::string& path) : path_(path), root_(parsed_toml(path)) {}
 
 TextPlace MachineToml::place(const toml::source_region& source) const {
   return {path_, source.begin.line, source.begin.column};
