@@ -92,7 +92,9 @@ class Progress(Terminal):
         for command in ("identify", "diagnose"):
             start = time.monotonic()
             lines = self.in_log(command, "run.csv", "--machine", "sheet.toml").splitlines()
-            self.assertTrue(1 <= len(lines) <= time.monotonic() - start + 1, lines)
+            self.assertLessEqual(len(lines), time.monotonic() - start + 1, lines)
+            if command == "diagnose":  # the other one may be done before a line is due
+                self.assertGreaterEqual(len(lines), 1)
             for line in lines:
                 self.assertRegex(line, rb"^" + command.encode() + rb": [a-z]+(, pass \d+|(, \d+ %, \d+ s left)?)$")
 
