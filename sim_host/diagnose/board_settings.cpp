@@ -5,6 +5,7 @@
 
 #include "lib/gap/board_forms.hpp"
 #include "lib/gap/effect_size.hpp"
+#include "lib/monitor/configuration_check.hpp"
 #include "sim_host/diagnose/innovation_pass.hpp"
 
 namespace morepro::host {
@@ -15,17 +16,10 @@ using gap::MachineForms;
 
 constexpr std::size_t kMostNameless = 2;
 
-bool has_name(const EffectForm& form) { return form.effect < gap::Effect::kUnnamedTorque; }
+bool has_name(const EffectForm& form) { return gap::index_of(form.effect) < gap::kEffectCount; }
 
-/// Where there is room, and for a delay that a board can remember.
-void add(const EffectForm& form, double rate_hz, MachineForms& forms) {
-  const double steps = static_cast<double>(form.shape) * rate_hz;
-  const bool is_too_long = gap::is_delay(form.effect) && steps > static_cast<double>(gap::kBoardDelaySteps);
-  if (!is_too_long && forms.has_room(form)) forms.form[forms.count++] = form;
-}
-
-void leave_out(gap::Effect effect, MachineForms& forms) {
-  add({.effect = effect, .kind = 0, .parts = 0, .shape = 0.0F}, 0.0, forms);
+void add(const EffectForm& form, MachineForms& forms) {
+  if (forms.has_room(form)) forms.form[forms.count++] = form;
 }
 
 /// Residual power of the model with its effects, as the board counts outliers, over that of expected noise:
@@ -47,9 +41,10 @@ void take(const AxisOutcome& outcome, bool is_unexplained, double rate_hz, gap::
   limits.temperature = std::max(1.0, outcome.chance.temperature);
   const auto& functions = outcome.leftover.functions;
   for (std::size_t i = 0; is_unexplained && i < std::min(kMostNameless, functions.size()); ++i)
-    add(functions[i], rate_hz, limits.forms);
+    add(functions[i], limits.forms);
   if (!is_unexplained) limits.noise_ratio = noise_ratio(outcome.diagnosis.fit);
-  for (const Finding& finding : outcome.diagnosis.found) add(finding.effect.form, rate_hz, limits.forms);
+  for (const Finding& finding : outcome.diagnosis.found)
+    if (check_effect({.form = finding.effect.form}, rate_hz).ok()) add(finding.effect.form, limits.forms);
 }
 
 }  // namespace
@@ -58,7 +53,8 @@ gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap
                                 bool is_unexplained, std::span<const gap::Effect> excluded, double rate_hz) {
   gap::GapSettings settings{.noise = sensors, .spindle = {}, .feed = {}};
   for (const gap::Effect effect : excluded)
-    leave_out(effect, gap::is_of_feed(effect) ? settings.feed.forms : settings.spindle.forms);
+    add({.effect = effect, .kind = 0, .parts = 0, .shape = 0.0F},
+        gap::is_of_feed(effect) ? settings.feed.forms : settings.spindle.forms);
   for (const AxisOutcome& outcome : outcomes) {
     const gap::GapNoise<double>& noise = outcome.diagnosis.fit.model().noise;
     if (outcome.diagnosis.fit.axis() == Axis::kSpindle) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/monitor/configuration_check.hpp"
 
@@ -20,9 +22,26 @@ std::string left_out(const MachineDescription& machine, const gap::AppliedEffect
                      gap::name_of(effect.form.effect), why);
 }
 
+/// Drops the forms that a monitor cannot hold at this rate: delays are in samples there.
+void keep_possible_forms(MachineDescription& machine, gap::MachineForms& forms,
+                         std::vector<std::string>& notices) {
+  const gap::MachineForms stated = std::exchange(forms, {});
+  for (std::size_t i = 0; i < stated.count; ++i) {
+    const gap::AppliedEffect effect{.form = stated.form[i]};
+    const ConfigurationResult result = check_effect(effect, machine.configuration.sampling.rate_hz);
+    if (result.ok() || effect.form.parts == 0)
+      forms.form[forms.count++] = stated.form[i];
+    else
+      notices.push_back(fmt::format("machine '{}': the monitor looks for its own form of {}: {}",
+                                    machine.name, gap::name_of(effect.form.effect), text_of(result.error)));
+  }
+}
+
 }  // namespace
 
 void know_effects(MachineDescription& machine, std::vector<std::string>& notices) {
+  keep_possible_forms(machine, machine.configuration.gap.spindle.forms, notices);
+  keep_possible_forms(machine, machine.configuration.gap.feed.forms, notices);
   MachineEffects& known = machine.configuration.effects;
   if (known.count > 0) return;
   for (const gap::AppliedEffect& effect : machine.effects) {

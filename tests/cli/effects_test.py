@@ -176,6 +176,13 @@ class EffectsInMachineFiles(ProgramTest):
         self.assertIn("machine 'mill': a jitter above a fifth",
                       self.must_refuse(1, *SHORT, "--machine", "worn.toml", "--out", "a.csv"))
 
+    def test_a_form_that_a_faster_board_cannot_hold_is_left_out_with_a_word(self):
+        self.write("mill.toml", GOOD + '[[gap.forms]]\nname = "current_delay"\nshape = 1e-3\n')
+        for rate, said in ((10000, False), (20000, True)):
+            self.must_do(*SHORT, "--rate", rate, "--out", "run.csv")
+            words = self.must_do("replay", "run.csv", "--machine", "mill.toml").stderr
+            self.assertEqual("its own form of current_delay" in words, said, words)
+
     def test_need_their_axis(self):
         feed = "[feed]\nmass_kg = 3\n"
         self.write("bad.toml", feed + '[[effects]]\nname = "brush_voltage_drop"\nsize = 1\n')
