@@ -94,6 +94,7 @@ class ColumnSet {
 
  private:
   Contribution<Real> late_step(std::size_t j, const EffectSignals<Real>& signals) {
+    if (onset_[j].time_s <= Real(0)) return term_[j].step(signals, scales_);
     const bool is_on = onset_[j].has_come(signals);
     const Contribution<Real> one = term_[j].step(onset_[j].since(signals), scales_);
     return is_on ? one : Contribution<Real>{};

@@ -48,6 +48,8 @@ class FeedObserver {
   /// beginning.
   [[nodiscard]] const Contribution<Real>& added() const { return added_; }
   [[nodiscard]] const Contribution<Real>& shown() const { return shown_; }
+  /// Rows without columns, for who wants to know innovations only. Before the first frame.
+  void leave_out_columns() { has_columns_ = false; }
   /// The next frame is a new beginning, in the same place.
   void restart() { is_started_ = false; }
 
@@ -83,7 +85,7 @@ class FeedObserver {
     if (!frame.has_feed_speed && !frame.has_feed_position) return;
     is_started_ = true;
     driven_m_s_ = frame.has_feed_speed ? frame.feed_speed_m_s : Real(0);
-    observer_.set_columns(columns());
+    observer_.set_columns(has_columns_ ? columns() : 0);
     if (!has_origin_) origin_m_ = frame.has_feed_position ? frame.feed_position_m : Real(0);
     has_origin_ = true;
     const Real wide = terms_.scales().feed_speed_m_s;
@@ -130,7 +132,8 @@ class FeedObserver {
     const auto after = terms_.rub(BrakedState::kFeedSpeed, free_m_s, yield, frame.time_s);
     const Real rubbed_m_s = v - observer_.mean(1) + after.value - free_m_s;
     added_.force_n += half * rubbed_m_s / yield;
-    load_columns(middle, (dv + integral_.a11 * rate_added + rubbed_m_s) / step_s_, frame.input);
+    if (has_columns_)
+      load_columns(middle, (dv + integral_.a11 * rate_added + rubbed_m_s) / step_s_, frame.input);
     const math::BasicMatrix2<Real> phi{exp_.a00, exp_.a01 * before.slope, after.slope * exp_.a10,
                                        after.slope * exp_.a11 * before.slope};
     const math::BasicMatrix2<Real> psi{integral_.a00, integral_.a01, after.slope * integral_.a10,
@@ -189,6 +192,7 @@ class FeedObserver {
   Contribution<Real> shown_;
   bool is_started_ = false;
   bool has_origin_ = false;
+  bool has_columns_ = true;
 };
 
 }  // namespace morepro::gap

@@ -22,8 +22,11 @@ class GapWatch {
   using SpindleAxis = GapWatchAxis<Real, Spindle, kSpindleParameters, kSpindleForms.size()>;
   using FeedAxis = GapWatchAxis<Real, Feed, kFeedParameters, kFeedForms.size()>;
 
-  /// Frames of a stretch that give a row per axis.
+  /// Frames of a stretch that give a row per axis, of either sensor in turn: those after which the observer's
+  /// columns have forgotten how it began.
   static constexpr std::size_t kRowsOfStretch = 128;
+  static constexpr std::size_t kSettling = 144;
+  static constexpr std::size_t kStretch = kSettling + kRowsOfStretch;
   /// Frames from the beginning of a stretch to that of the next one: long enough for all pieces, all columns
   /// of the rows and the judgement, 8.6 k frames. A stretch of 27 ms every 1.13 s at 10 kHz: more would not
   /// fit beside the monitor.
@@ -73,6 +76,14 @@ class GapWatch {
       begin_stretch();
   }
 
+  /// Uses what was stored, at once, and begins a stretch with the next frame: a recording need not wait.
+  /// Takes long, not for an interrupt.
+  void begin_anew() {
+    if (!is_resting()) seen_ = kPieces;
+    while (has_rows_to_use()) work();
+    begin_stretch();
+  }
+
   /// Does all that waits at once: takes long, not for an interrupt.
   void finish() {
     if (!is_resting()) seen_ = kPieces;
@@ -93,10 +104,6 @@ class GapWatch {
   [[nodiscard]] const FeedAxis& feed() const { return feed_; }
 
  private:
-  // The observer's columns forget how it began within the settling time; then every frame gives a row, of
-  // either sensor in turn.
-  static constexpr std::size_t kSettling = 144;
-  static constexpr std::size_t kStretch = kSettling + kRowsOfStretch;
   static constexpr std::size_t kPieces = 4 * kStretch;  ///< two halves of each frame for each of two axes
   // The rest is of random length, or a machine that repeats itself would show the same moment of its cycle
   // again and again.
@@ -130,9 +137,11 @@ class GapWatch {
     return here;
   }
 
+  [[nodiscard]] bool has_rows_to_use() const {
+    return seen_ < kPieces || spindle_.is_turning() || feed_.is_turning();
+  }
   [[nodiscard]] bool is_busy() const {
-    return seen_ < kPieces || spindle_.is_turning() || feed_.is_turning() || spindle_.is_unjudged() ||
-           feed_.is_unjudged();
+    return has_rows_to_use() || spindle_.is_unjudged() || feed_.is_unjudged();
   }
 
   /// One piece of what is to be done.

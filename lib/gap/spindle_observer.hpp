@@ -40,7 +40,9 @@ class SpindleObserver {
         step_s_(static_cast<Real>(step_s)),
         noise_(noise),
         process_noise_{noise.speed_step * noise.speed_step, Real(0), Real(0),
-                       noise.current_step * noise.current_step} {}
+                       noise.current_step * noise.current_step},
+        braking_per_s_(plant_.spindle_jacobian({}, {}).a00),
+        exponential_(math::exponential_step(plant_.spindle_jacobian({}, {}), step_s_)) {}
 
   Terms& terms() { return terms_; }
   /// Columns in use: parameters and terms.
@@ -49,6 +51,8 @@ class SpindleObserver {
   /// beginning.
   [[nodiscard]] const Contribution<Real>& added() const { return added_; }
   [[nodiscard]] const Contribution<Real>& shown() const { return shown_; }
+  /// Rows without columns, for who wants to know innovations only. Before the first frame.
+  void leave_out_columns() { has_columns_ = false; }
   /// The next frame is a new beginning.
   void restart() { is_started_ = false; }
   [[nodiscard]] Real speed_rad_s() const { return observer_.mean(0); }
@@ -75,7 +79,7 @@ class SpindleObserver {
   void start(const GapFrame<Real>& frame) {
     if (!frame.has_speed) return;
     is_started_ = true;
-    observer_.set_columns(columns());
+    observer_.set_columns(has_columns_ ? columns() : 0);
     const auto& k = terms_.scales();
     const Real still_a =
         (frame.input.armature_voltage_v - k.back_emf_constant_vs_rad * frame.speed_rad_s) / k.resistance_ohm;
@@ -117,7 +121,7 @@ class SpindleObserver {
     auto i0 = terms_.rub(BrakedState::kCurrent, observer_.mean(1), yield_i, frame.time_s);
     const PlantState<Real> x{w0.value, Real(0), i0.value};
     const auto linear = plant_.linearise(x, frame.input);
-    const auto step = math::exponential_step(linear.spindle_jacobian, step_s_);
+    const auto& step = exponential_of(linear.spindle_jacobian);
     const auto& psi = step.integral;
     const auto& f = linear.derivative;
     const Real dw = psi.a00 * f.acceleration_rad_s2 + psi.a01 * f.current_rate_a_s;
@@ -140,7 +144,7 @@ class SpindleObserver {
     added_.voltage_v += half * rubbed_i / yield_i;
     const Real added_w = psi.a00 * rate_w + psi.a01 * rate_i + rubbed_w;
     const Real added_i = psi.a10 * rate_w + psi.a11 * rate_i + rubbed_i;
-    load_columns(middle, (dw + added_w) / step_s_, (di + added_i) / step_s_);
+    if (has_columns_) load_columns(middle, (dw + added_w) / step_s_, (di + added_i) / step_s_);
     const math::BasicMatrix2<Real> first{step.exp.a00 * w0.slope, step.exp.a01 * i0.slope,
                                          step.exp.a10 * w0.slope, step.exp.a11 * i0.slope};
     driven_rad_s_ += w1.value - observer_.mean(0);
@@ -148,6 +152,15 @@ class SpindleObserver {
     observer_.predict(w1.value, i1.value, braked(first, w1.slope, i1.slope), braked(psi, w1.slope, i1.slope),
                       process_noise_, first_, second_);
     angle_rad_ += step_s_ * (x.speed_rad_s + half * dw);
+  }
+
+  /// Of the Jacobian, what brakes the speed alone depends on the state, and only in contact.
+  const math::BasicExponentialStep2<Real>& exponential_of(const math::BasicMatrix2<Real>& jacobian) {
+    if (!(jacobian.a00 == braking_per_s_)) {
+      braking_per_s_ = jacobian.a00;
+      exponential_ = math::exponential_step(jacobian, step_s_);
+    }
+    return exponential_;
   }
 
   static math::BasicMatrix2<Real> braked(const math::BasicMatrix2<Real>& m, Real speed_slope,
@@ -198,6 +211,8 @@ class SpindleObserver {
   Real step_s_;
   GapNoise<Real> noise_;
   math::BasicMatrix2<Real> process_noise_;
+  Real braking_per_s_;
+  math::BasicExponentialStep2<Real> exponential_;
   Observer observer_;
   typename Observer::Columns first_{};
   typename Observer::Columns second_{};
@@ -207,6 +222,7 @@ class SpindleObserver {
   Contribution<Real> added_;
   Contribution<Real> shown_;
   bool is_started_ = false;
+  bool has_columns_ = true;
 };
 
 }  // namespace morepro::gap

@@ -93,7 +93,7 @@ class Search {
  private:
   void collect_rest() {
     diagnosis_.others = candidate_forms(fit_.axis(), fit_.signals(), fit_.model(), left_out_);
-    diagnosis_.rest = fit_.collect_with(diagnosis_.others);
+    diagnosis_.rest = fit_.collect_with_each(diagnosis_.others);
   }
 
   // Beside an effect that the machine file states another one has to be worth as much as beside one that was
@@ -214,7 +214,7 @@ class Search {
   void prefer_by_datasheet(std::vector<Candidate>& ranked) const {
     AxisFit fit = at_datasheet();
     fit.match_noise();
-    const GapStatistics statistics = fit.collect_with(diagnosis_.others);
+    const GapStatistics statistics = fit.collect_with_each(diagnosis_.others);
     auto others = rank_candidates(fit, statistics, diagnosis_.others);
     let_set_in(fit, statistics, others);
     others.resize(std::min(others.size(), kMostRivals - 1));
@@ -243,6 +243,9 @@ class Search {
   static void sharpen(AxisFit& trial) {
     const float widest = trial.model().effects.back().form.shape;
     bool has_changed = false;
+    AxisFit found = trial;
+    trial.narrow_down();
+    trial.refit();
     for (const float factor : {0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}) {
       for (;;) {
         AxisFit other = trial;
@@ -255,7 +258,11 @@ class Search {
         has_changed = true;
       }
     }
-    if (has_changed) trial.settle(1);
+    trial.widen();
+    if (has_changed)
+      trial.settle(1);
+    else
+      trial = std::move(found);
   }
 
   /// When the newest effect sets in, to a hundredth of a block.

@@ -23,6 +23,8 @@ constexpr double kHopeless = 0.01;     // deviance per row that another round do
 constexpr double kCrawl = 0.005;       // share of its promise that a step keeps where another one is no use
 constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
 
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
 /// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.
 int directions_known(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& precision) {
   const Eigen::VectorXd root = precision.cwiseSqrt();
@@ -40,7 +42,11 @@ std::vector<Eigen::Index> all_columns(Eigen::Index count) {
 }  // namespace
 
 AxisFit::AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet)
-    : axis_(axis), signals_(&signals), datasheet_(datasheet), model_(datasheet) {}
+    : axis_(axis),
+      signals_(&signals),
+      stretches_(all_of(signals)),
+      datasheet_(datasheet),
+      model_(datasheet) {}
 
 std::vector<Eigen::Index> AxisFit::parameter_columns() const {
   return all_columns(static_cast<Eigen::Index>(parameter_count(axis_)));
@@ -90,7 +96,15 @@ Eigen::VectorXd AxisFit::target(Eigen::Index width) const {
 }
 
 GapStatistics AxisFit::collect_with(const Disturbances& candidates) const {
-  return collect(axis_, *signals_, model_, candidates, whitening_, kBlockS);
+  return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, kBlockS);
+}
+
+GapStatistics AxisFit::collect_with_each(const Disturbances& candidates) const {
+  return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, kBlockS, Moments::kFormByForm);
+}
+
+GapStatistics AxisFit::innovations() const {
+  return collect(axis_, *signals_, stretches_, model_, {}, whitening_, kBlockS, Moments::kOfInnovations);
 }
 
 void AxisFit::take_parameters(const Eigen::VectorXd& step) {
@@ -237,7 +251,8 @@ Eigen::VectorXd AxisFit::size_precision() const {
 
 std::array<GapModel, 2> AxisFit::cross_fitted(double block_s, std::size_t blocks) const {
   const SizeColumns sizes(model_.effects);
-  const GapStatistics all = collect(axis_, *signals_, model_, sizes.disturbances(), whitening_, block_s);
+  const GapStatistics all =
+      collect(axis_, *signals_, stretches_, model_, sizes.disturbances(), whitening_, block_s);
   std::array<GapModel, 2> models{model_, model_};
   for (std::size_t parity = 0; parity < models.size(); ++parity) {
     GapStatistics seen = all;
@@ -266,7 +281,7 @@ void AxisFit::refit() {
 }
 
 void AxisFit::match_noise() {
-  fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, model_);
+  fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model_);
   const Trial here = tried();
   whitening_ = whitening_of(here.statistics);
   unlikeliness_ = unlikeliness_of(here.statistics);
@@ -280,13 +295,25 @@ void AxisFit::refit_with_this_noise() {
 
 // Noise that was fitted to wrong parameters hides how wrong they are: in turns, until nothing is gained.
 // The noise is searched for on some stretches only, so that a round may make it worse; the best one counts.
+// From where a part of the recording has led to, all of it needs one round.
 void AxisFit::settle(int most_rounds, double rival) {
+  if (!is_narrow()) {
+    narrow_down();
+    if (!is_narrow()) return settle_here(most_rounds, rival);
+    settle_here(most_rounds, kNone);
+    widen();
+    most_rounds = 1;
+  }
+  settle_here(most_rounds, is_narrow() ? kNone : rival);
+}
+
+void AxisFit::settle_here(int most_rounds, double rival) {
   constexpr int kMostInVain = 2;
   AxisFit best = *this;
   best.unlikeliness_ = std::numeric_limits<double>::infinity();
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < kMostInVain; ++round) {
-    fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, model_);
+    fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model_);
     refit();
     if (!std::isfinite(unlikeliness_)) break;
     in_vain = unlikeliness_ < best.unlikeliness_ - kSettledRound ? 0 : in_vain + 1;

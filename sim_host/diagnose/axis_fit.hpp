@@ -21,10 +21,14 @@ class AxisFit {
   /// there is takes a wrong mass for the better one.
   void allow_little_noise() { least_noise_share_ = kLittleNoiseShare; }
 
+  /// From now on the fit sees a quarter of a long recording, or all of it again. What was found likely on
+  /// one does not compare with the other.
+  void narrow_down() { stretches_ = quarter_of(*signals_); }
+  void widen() { stretches_ = all_of(*signals_); }
   /// Fits the process noise alone.
   void match_noise();
-  /// Fits process noise, parameters and the sizes of the model's effects, in turns; no longer than it takes
-  /// to see that it will not become likelier than `rival`.
+  /// Fits process noise, parameters and the sizes of the model's effects, in turns, first to a part of the
+  /// recording; no longer than it takes to see that it will not become likelier than `rival`.
   void settle(int most_rounds = 6, double rival = std::numeric_limits<double>::infinity());
   /// The same without the process noise.
   void refit();
@@ -34,10 +38,14 @@ class AxisFit {
   /// Twice the negative logarithm of the likelihood of the fitted model.
   [[nodiscard]] double unlikeliness() const { return unlikeliness_; }
   /// The same of the model as it stands, nothing fitted.
-  [[nodiscard]] double unlikeliness_as_it_is() const { return unlikeliness_of(collect_with({})); }
+  [[nodiscard]] double unlikeliness_as_it_is() const { return unlikeliness_of(innovations()); }
 
   /// Second moments with these disturbances as candidates, at the fitted model.
   [[nodiscard]] GapStatistics collect_with(const Disturbances& candidates) const;
+  /// The same for candidates that are tried one by one.
+  [[nodiscard]] GapStatistics collect_with_each(const Disturbances& candidates) const;
+  /// The innovations of the model as it stands, and the moment of these alone.
+  [[nodiscard]] GapStatistics innovations() const;
   /// Columns of the parameters.
   [[nodiscard]] std::vector<Eigen::Index> parameter_columns() const;
   /// Precision of the prior on the parameter columns and where it draws them, for `width` columns of moments.
@@ -81,6 +89,8 @@ class AxisFit {
     std::size_t damping = 0;  ///< that the next step begins with
   };
   [[nodiscard]] Trial tried() const;
+  [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
+  void settle_here(int most_rounds, double rival);
   bool improve(Trial& best);
   [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments,
                                         const std::vector<Eigen::Index>& active, double damping) const;
@@ -92,6 +102,7 @@ class AxisFit {
 
   Axis axis_;
   const RecordingSignals* signals_;
+  std::vector<Stretch> stretches_;  ///< of the recording that are looked at
   GapModel datasheet_;
   GapModel model_;
   Whitening whitening_;

@@ -43,14 +43,12 @@ void drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
 double datasheet_evidence(const AxisFit& nominal) {
   AxisFit datasheet = nominal;
   datasheet.model().machine = nominal.datasheet().machine;
-  const Eigen::MatrixXd wrong = datasheet.collect_with({}).total();
-  const GapStatistics statistics = nominal.collect_with({});
-  const Eigen::MatrixXd right = statistics.total();
-  const Eigen::Index y = right.cols() - 1;
-  if (!(right(y, y) > 0.0)) return 0.0;
-  const double rows = statistics.total_rows();
+  const GapStatistics wrong = datasheet.innovations();
+  const GapStatistics right = nominal.innovations();
+  if (!(right.total_rows() > 0.0)) return 0.0;
+  const double rows = right.total_rows();
   const double freedom = static_cast<double>(parameter_count(nominal.axis()));
-  return rows * std::log(wrong(y, y) / right(y, y)) - freedom * std::log(rows);
+  return rows * std::log(wrong.total()(0, 0) / right.total()(0, 0)) - freedom * std::log(rows);
 }
 
 AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const DiagnosisOptions& options) {

@@ -1,5 +1,6 @@
 #include "sim_host/diagnose/balance_increments.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,8 +10,9 @@
 namespace morepro::host {
 namespace {
 
-using Row = Eigen::RowVectorXf;
-constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+template <std::size_t kColumns>
+using Row = Eigen::RowVector<float, static_cast<int>(kColumns)>;
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 /// Share of the interval's first sample in the integral of a current that decays with R/L under a held
 /// voltage.
@@ -32,13 +34,21 @@ gap::Contribution<double> less(const gap::Contribution<double>& a, const gap::Co
           .feed_speed_m_s = a.feed_speed_m_s - b.feed_speed_m_s};
 }
 
-EffectTrace less(EffectTrace a, const EffectTrace& b) {
-  for (std::size_t i = 0; i < a.added.size(); ++i) {
-    a.added[i] = less(a.added[i], b.added[i]);
-    a.shown[i] = less(a.shown[i], b.shown[i]);
-  }
-  return a;
+EffectsOfRow less(const EffectsOfRow& a, const EffectsOfRow& b) {
+  return {less(a.added, b.added), less(a.shown, b.shown)};
 }
+
+/// What is known of one row.
+struct Moment {
+  gap::GapFrame<double> frame;
+  EffectsOfRow known;
+  EffectsOfRow found;  ///< beside the known ones
+
+  [[nodiscard]] double speed() const { return frame.has_speed ? frame.speed_rad_s : kMissing; }
+  [[nodiscard]] double current() const { return frame.has_current ? frame.current_a : kMissing; }
+  [[nodiscard]] double feed_speed() const { return frame.has_feed_speed ? frame.feed_speed_m_s : kMissing; }
+  [[nodiscard]] double position() const { return frame.has_feed_position ? frame.feed_position_m : kMissing; }
+};
 
 class Increments {
  public:
@@ -47,151 +57,156 @@ class Increments {
         signals_(fit_.signals()),
         machine_(fit_.model().machine),
         step_s_(1.0 / signals_.rate_hz),
-        known_(trace_effects(fit_.axis(), signals_, without_findings(fit_.model()))),
-        found_(less(trace_effects(fit_.axis(), signals_, fit_.model()), known_)) {
-    FrameSource frames(signals_, machine_, 0);
-    frames_.reserve(signals_.rows);
-    for (std::size_t i = 0; i < signals_.rows; ++i) frames_.push_back(frames.next());
+        first_share_(first_share(step_s_ * machine_.spindle.resistance_ohm / machine_.spindle.inductance_h)) {
   }
 
   std::vector<BalanceIncrements> of_spindle() {
-    std::vector<BalanceIncrements> balances;
     const bool has_current = signals_.has(Channel::kArmatureCurrent);
-    balances.push_back(
-        all(gap::Balance::kSpindleTorque, 4, [&](std::size_t i) { return torque(i, has_current); }));
-    if (has_current)
-      balances.push_back(all(gap::Balance::kArmatureVoltage, 4, [&](std::size_t i) { return voltage(i); }));
+    std::vector<BalanceIncrements> balances{empty(gap::Balance::kSpindleTorque, 5)};
+    if (has_current) balances.push_back(empty(gap::Balance::kArmatureVoltage, 5));
+    for_each_row([&](Eigen::Index i, const Moment&, const Moment& here, const Moment& next) {
+      balances.front().columns.row(i) = torque(here, next, has_current);
+      if (has_current) balances.back().columns.row(i) = voltage(here, next);
+    });
     return balances;
   }
   std::vector<BalanceIncrements> of_feed() {
-    if (signals_.has(Channel::kFeedSpeed))
-      return {all(gap::Balance::kFeedForce, 5, [&](std::size_t i) { return force(i); })};
-    return {all(gap::Balance::kFeedForce, 5, [&](std::size_t i) { return force_by_position(i); })};
+    const bool has_speed = signals_.has(Channel::kFeedSpeed);
+    std::vector<BalanceIncrements> balances{empty(gap::Balance::kFeedForce, 6)};
+    for_each_row([&](Eigen::Index i, const Moment& before, const Moment& here, const Moment& next) {
+      balances.front().columns.row(i) = has_speed ? force(here, next) : force_by_position(before, here, next);
+    });
+    return balances;
   }
 
  private:
-  template <class Make>
-  BalanceIncrements all(gap::Balance balance, Eigen::Index width, Make make) const {
-    BalanceIncrements increments{balance,
-                                 Eigen::MatrixXf(static_cast<Eigen::Index>(signals_.rows), width + 1)};
-    increments.columns.setConstant(kMissing);
-    for (std::size_t i = 1; i + 1 < signals_.rows; ++i)
-      increments.columns.row(static_cast<Eigen::Index>(i)) = make(i);
+  [[nodiscard]] BalanceIncrements empty(gap::Balance balance, Eigen::Index width) const {
+    const auto rows = static_cast<Eigen::Index>(signals_.rows);
+    BalanceIncrements increments{balance, Eigen::MatrixXf(rows, width)};
+    increments.columns.row(0).setConstant(static_cast<float>(kMissing));
+    increments.columns.row(rows - 1).setConstant(static_cast<float>(kMissing));
     return increments;
   }
 
-  static Row row(std::initializer_list<double> values) {
-    Row r(static_cast<Eigen::Index>(values.size()));
-    Eigen::Index j = 0;
-    for (const double value : values) r(j++) = static_cast<float>(value);
+  /// visit(row, before, here, next) for every row that has neighbours on both sides.
+  template <class Visit>
+  void for_each_row(Visit visit) const {
+    FrameSource frames(signals_, machine_, 0);
+    const EffectTrace known = trace_effects(fit_.axis(), signals_, without_findings(fit_.model()));
+    const bool has_found = !fit_.model().effects.empty();
+    const EffectTrace all = has_found ? trace_effects(fit_.axis(), signals_, fit_.model()) : nullptr;
+    std::array<Moment, 3> moments;
+    for (std::size_t i = 0; i < signals_.rows; ++i) {
+      Moment& newest = moments[i % 3];
+      newest = {.frame = frames.next(), .known = known(), .found = {}};
+      if (has_found) newest.found = less(all(), newest.known);
+      if (i >= 2) visit(static_cast<Eigen::Index>(i - 1), moments[(i - 2) % 3], moments[(i - 1) % 3], newest);
+    }
+  }
+
+  template <std::size_t kColumns>
+  static Row<kColumns> row(const double (&values)[kColumns]) {
+    Row<kColumns> r;
+    for (std::size_t j = 0; j < kColumns; ++j)
+      r(static_cast<Eigen::Index>(j)) = static_cast<float>(values[j]);
     return r;
   }
-  static double or_missing(bool has, double value) { return has ? value : static_cast<double>(kMissing); }
-  [[nodiscard]] double speed(std::size_t i) const {
-    return or_missing(frames_[i].has_speed, frames_[i].speed_rad_s);
-  }
-  [[nodiscard]] double current(std::size_t i) const {
-    return or_missing(frames_[i].has_current, frames_[i].current_a);
-  }
-  [[nodiscard]] double feed_speed(std::size_t i) const {
-    return or_missing(frames_[i].has_feed_speed, frames_[i].feed_speed_m_s);
-  }
-  [[nodiscard]] double position(std::size_t i) const {
-    return or_missing(frames_[i].has_feed_position, frames_[i].feed_position_m);
-  }
   [[nodiscard]] double electrical(double at_start, double at_end) const {
-    const double share =
-        first_share(step_s_ * machine_.spindle.resistance_ohm / machine_.spindle.inductance_h);
-    return step_s_ * (share * at_start + (1.0 - share) * at_end);
+    return step_s_ * (first_share_ * at_start + (1.0 - first_share_) * at_end);
   }
   [[nodiscard]] double mean(double at_start, double at_end) const {
     return 0.5 * step_s_ * (at_start + at_end);
   }
-  [[nodiscard]] double contact(std::size_t i) const {
-    const auto& input = frames_[i].input;
+  [[nodiscard]] double contact(const Moment& now, const Moment& then) const {
+    const auto& input = now.frame.input;
     if (input.contact == 0.0) return 0.0;
+    const double factor = law_.thermal_factor(input.tool_temperature_degc);
     const auto torque = [&](double w) {
-      return law_(w, input.chip_load_mm, input.tool_temperature_degc).torque_nm * input.contact;
+      return law_.at_thermal_factor(w, input.chip_load_mm, factor).torque_nm;
     };
-    return mean(torque(speed(i)), torque(speed(i + 1)));
+    return input.contact * mean(torque(now.speed()), torque(then.speed()));
   }
 
-  // What effects add to the increment of each balance.
-  [[nodiscard]] double on_torque(const EffectTrace& trace, std::size_t i, bool has_current) const {
+  // What effects add to the increment of each balance, from one row to the next.
+  using Effects = EffectsOfRow Moment::*;
+  [[nodiscard]] double on_torque(Effects effects, const Moment& now, const Moment& then,
+                                 bool has_current) const {
     const auto& s = machine_.spindle;
-    const auto& here = trace.shown[i];
-    const auto& next = trace.shown[i + 1];
+    const auto& added = (now.*effects).added;
+    const auto& here = (now.*effects).shown;
+    const auto& next = (then.*effects).shown;
     const double shown_w = mean(here.speed_rad_s, next.speed_rad_s);
     const double shown_i = electrical(here.current_a, next.current_a);
     const double electric = has_current ? 0.0
-                                        : step_s_ * trace.added[i].voltage_v * s.torque_constant_nm_a /
+                                        : step_s_ * added.voltage_v * s.torque_constant_nm_a /
                                               (s.resistance_ohm * s.inertia_kgm2);
-    return step_s_ * trace.added[i].torque_nm / s.inertia_kgm2 + next.speed_rad_s - here.speed_rad_s +
+    return step_s_ * added.torque_nm / s.inertia_kgm2 + next.speed_rad_s - here.speed_rad_s +
            s.viscous_friction_nms_rad / s.inertia_kgm2 * shown_w -
            s.torque_constant_nm_a / s.inertia_kgm2 * shown_i + electric;
   }
-  [[nodiscard]] double on_voltage(const EffectTrace& trace, std::size_t i) const {
+  [[nodiscard]] double on_voltage(Effects effects, const Moment& now, const Moment& then) const {
     const auto& s = machine_.spindle;
-    const auto& here = trace.shown[i];
-    const auto& next = trace.shown[i + 1];
-    return step_s_ * trace.added[i].voltage_v / s.inductance_h + next.current_a - here.current_a +
+    const auto& here = (now.*effects).shown;
+    const auto& next = (then.*effects).shown;
+    return step_s_ * (now.*effects).added.voltage_v / s.inductance_h + next.current_a - here.current_a +
            s.resistance_ohm / s.inductance_h * electrical(here.current_a, next.current_a) +
            s.back_emf_constant_vs_rad / s.inductance_h * mean(here.speed_rad_s, next.speed_rad_s);
   }
-  [[nodiscard]] double on_force(const EffectTrace& trace, std::size_t i) const {
+  [[nodiscard]] double on_force(Effects effects, const Moment& now, const Moment& then) const {
     const auto& f = machine_.feed;
-    const auto& here = trace.shown[i];
-    const auto& next = trace.shown[i + 1];
-    return step_s_ * trace.added[i].force_n / f.mass_kg + next.feed_speed_m_s - here.feed_speed_m_s +
+    const auto& here = (now.*effects).shown;
+    const auto& next = (then.*effects).shown;
+    return step_s_ * (now.*effects).added.force_n / f.mass_kg + next.feed_speed_m_s - here.feed_speed_m_s +
            f.viscous_friction_ns_m / f.mass_kg * mean(here.feed_speed_m_s, next.feed_speed_m_s);
   }
   // A machine whose file has no viscous friction has no such parameter: it is an effect there.
   [[nodiscard]] double if_viscous(double travel_m) const {
     return fit_.datasheet().machine.feed.viscous_friction_ns_m > 0.0 ? travel_m : 0.0 * travel_m;
   }
-  [[nodiscard]] double on_position(const EffectTrace& trace, std::size_t i) const {
-    return 0.5 * step_s_ * (trace.added[i - 1].force_n + trace.added[i].force_n) / machine_.feed.mass_kg;
+  [[nodiscard]] double on_position(Effects effects, const Moment& before, const Moment& now) const {
+    return 0.5 * step_s_ * ((before.*effects).added.force_n + (now.*effects).added.force_n) /
+           machine_.feed.mass_kg;
   }
 
-  [[nodiscard]] Row torque(std::size_t i, bool has_current) const {
-    const double drive =
-        has_current ? electrical(current(i), current(i + 1)) : step_s_ * frames_[i].input.armature_voltage_v;
-    return row({drive, mean(speed(i), speed(i + 1)), contact(i), on_torque(found_, i, has_current),
-                speed(i + 1) - speed(i) - on_torque(known_, i, has_current)});
+  [[nodiscard]] Row<5> torque(const Moment& now, const Moment& then, bool has_current) const {
+    const double drive = has_current ? electrical(now.current(), then.current())
+                                     : step_s_ * now.frame.input.armature_voltage_v;
+    return row({drive, mean(now.speed(), then.speed()), contact(now, then),
+                on_torque(&Moment::found, now, then, has_current),
+                then.speed() - now.speed() - on_torque(&Moment::known, now, then, has_current)});
   }
-  [[nodiscard]] Row voltage(std::size_t i) const {
-    return row({step_s_ * frames_[i].input.armature_voltage_v, electrical(current(i), current(i + 1)),
-                mean(speed(i), speed(i + 1)), on_voltage(found_, i),
-                current(i + 1) - current(i) - on_voltage(known_, i)});
+  [[nodiscard]] Row<5> voltage(const Moment& now, const Moment& then) const {
+    return row({step_s_ * now.frame.input.armature_voltage_v, electrical(now.current(), then.current()),
+                mean(now.speed(), then.speed()), on_voltage(&Moment::found, now, then),
+                then.current() - now.current() - on_voltage(&Moment::known, now, then)});
   }
-  [[nodiscard]] Row force(std::size_t i) const {
-    const auto& input = frames_[i].input;
+  [[nodiscard]] Row<6> force(const Moment& now, const Moment& then) const {
+    const auto& input = now.frame.input;
     return row({step_s_ * input.feed_force_n, step_s_ * input.contact * input.engagement,
-                step_s_ * input.contact, if_viscous(mean(feed_speed(i), feed_speed(i + 1))),
-                on_force(found_, i), feed_speed(i + 1) - feed_speed(i) - on_force(known_, i)});
+                step_s_ * input.contact, if_viscous(mean(now.feed_speed(), then.feed_speed())),
+                on_force(&Moment::found, now, then),
+                then.feed_speed() - now.feed_speed() - on_force(&Moment::known, now, then)});
   }
   // The increment of a speed that was not recorded: a second difference of the position, with the inputs of
   // both intervals that it spans.
-  [[nodiscard]] Row force_by_position(std::size_t i) const {
-    const auto& a = frames_[i - 1].input;
-    const auto& b = frames_[i].input;
+  [[nodiscard]] Row<6> force_by_position(const Moment& before, const Moment& now, const Moment& then) const {
+    const auto& a = before.frame.input;
+    const auto& b = now.frame.input;
     const double half = 0.5 * step_s_;
-    const double cut_a = a.contact;
-    const double cut_b = b.contact;
     return row({half * (a.feed_force_n + b.feed_force_n),
-                half * (cut_a * a.engagement + cut_b * b.engagement), half * (cut_a + cut_b),
-                if_viscous(0.5 * (position(i + 1) - position(i - 1))), on_position(found_, i),
-                (position(i + 1) - 2.0 * position(i) + position(i - 1)) / step_s_ - on_position(known_, i)});
+                half * (a.contact * a.engagement + b.contact * b.engagement), half * (a.contact + b.contact),
+                if_viscous(0.5 * (then.position() - before.position())),
+                on_position(&Moment::found, before, now),
+                (then.position() - 2.0 * now.position() + before.position()) / step_s_ -
+                    on_position(&Moment::known, before, now)});
   }
 
   const AxisFit& fit_;
   const RecordingSignals& signals_;
   const MachineParameters& machine_;
   double step_s_;
-  EffectTrace known_;
-  EffectTrace found_;
+  double first_share_;
   ContactLaw<double> law_{machine_};
-  std::vector<gap::GapFrame<double>> frames_;
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ double noise_ratio(const AxisFit& fit) {
   constexpr double kHuber = 5.0;
   double sum = 0.0;
   double count = 0.0;
-  run_observer(fit.axis(), fit.signals(), fit.model(), {}, 0, fit.signals().rows, [&](const Innovation& v) {
+  run_observer(fit.axis(), fit.signals(), fit.model(), 0, fit.signals().rows, [&](const Innovation& v) {
     const double size = std::fabs(v.value) / std::sqrt(v.variance);
     sum += size < kHuber ? size * size : kHuber * size;
     count += 1.0;

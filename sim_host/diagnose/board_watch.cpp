@@ -1,6 +1,7 @@
 #include "sim_host/diagnose/board_watch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "lib/gap/gap_watch.hpp"
 #include "lib/gap/reference_point.hpp"
 #include "sim_host/replay/gap_report.hpp"
+#include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
 namespace {
@@ -68,10 +70,10 @@ bool holds(const std::vector<gap::Effect>& effects, gap::Effect effect) {
   return std::find(effects.begin(), effects.end(), effect) != effects.end();
 }
 
-// Of a stretch the last frames give rows, and the next one comes after a rest: so those of these watches do
-// not meet, and nearly every row is used once.
+// Of a stretch the last frames give rows. Watches that take turns, each of which begins a stretch as soon as
+// the others have had theirs, use nearly every row once; a board alone uses a fortieth of them.
 constexpr std::size_t kShift = Watch::kRowsOfStretch;
-constexpr std::size_t kWatches = Watch::kShortestCycle / kShift;
+constexpr std::size_t kWatches = (Watch::kStretch + kShift - 1) / kShift;
 
 /// What a board is shown of a row.
 struct BoardFrame {
@@ -92,6 +94,8 @@ std::vector<BoardFrame> board_frames(const RecordingSignals& signals, const Mach
 /// Shows a recording to a watch whose first stretch begins at row `first`.
 void show(const std::vector<BoardFrame>& frames, std::size_t first, Watch& watch) {
   for (std::size_t row = 0; row < frames.size(); ++row) {
+    const bool is_turn = row >= first && (row - first) % (kWatches * kShift) == 0;
+    if (is_turn && watch.is_resting()) watch.begin_anew();
     const BoardFrame& seen = frames[row];
     if (!seen.is_missing) watch.step(seen.frame);
     if (seen.is_missing || row < first) watch.interrupt();
@@ -112,13 +116,14 @@ gap::GapFinding found_on_board(const RecordingSignals& signals, const MachinePar
                                    settings);
   };
   const std::vector<BoardFrame> frames = board_frames(signals, machine);
+  std::array<std::unique_ptr<Watch>, kWatches> parts;
+  in_parallel(kWatches, [&](std::size_t k) {
+    parts[k] = new_watch();
+    show(frames, k * kShift, *parts[k]);
+    parts[k]->finish();
+  });
   auto all = new_watch();
-  for (std::size_t k = 0; k < kWatches; ++k) {
-    const auto one = new_watch();
-    show(frames, k * kShift, *one);
-    one->finish();
-    all->merge(*one);
-  }
+  for (const auto& part : parts) all->merge(*part);
   all->finish();
   if (!is_excited) return all->finding();
   allow(all->spindle().evaluation().excitation(), settings.spindle);

@@ -7,11 +7,11 @@ namespace morepro::host {
 
 /// What the board's own watch, in float, says about a recording of this machine with these settings. It looks
 /// at 27 ms out of every 1.13 s (at 10 kHz), which is little of a short recording: so the statistics of
-/// watches that look at other moments of it are merged, as of a board that has seen the machine for so long
-/// that it has seen all of this. Where it says that values of the datasheet are wrong, it is given the
-/// `refitted` ones and looks again: an effect that it then finds is its answer. `is_excited`: the recording
-/// tells causes apart; the least excitation that a name needs becomes half of what it has, where that is
-/// less.
+/// watches that begin a stretch as soon as they may are merged, as of a board that has seen the machine for
+/// so long that it has seen all of this. Where it says that values of the datasheet are wrong, it is given
+/// the `refitted` ones and looks again: an effect that it then finds is its answer. `is_excited`: the
+/// recording tells causes apart; the least excitation that a name needs becomes half of what it has, where
+/// that is less.
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
                                const MachineParameters& refitted, bool is_excited,
                                gap::GapSettings& settings);

@@ -7,6 +7,7 @@
 
 #include "lib/plant/dynamics.hpp"
 #include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
 namespace {
@@ -117,20 +118,19 @@ bool knows_rates(const AxisFit& fit) {
   return signals.has(Channel::kSpindleSpeed) && signals.has(Channel::kArmatureCurrent);
 }
 
-void look_at(const AxisFit& fit, const GapModel& model, Evaluation& evaluation) {
-  const std::size_t first = evaluation.togetherness.size();
-  evaluation.togetherness.resize(first + kSensorsPerAxis);
-  evaluation.residuals.resize(2 * (first + kSensorsPerAxis));
+Evaluation look_at(const AxisFit& fit, const GapModel& model) {
+  Evaluation evaluation{.residuals = std::vector<Residuals>(2 * kSensorsPerAxis),
+                        .togetherness = std::vector<Togetherness>(kSensorsPerAxis)};
   Rates rates(fit.axis(), fit.signals(), model);
-  run_observer(fit.axis(), fit.signals(), model, {}, 0, fit.signals().rows, [&](const Innovation& v) {
+  run_observer(fit.axis(), fit.signals(), model, 0, fit.signals().rows, [&](const Innovation& v) {
     if (v.row == 0) return;
-    const std::size_t sensor = first + v.sensor;
     const double rate = rates.at(v.row)[v.sensor];
     const double most = kOutlier * std::sqrt(v.variance);
     const double value = std::clamp(v.value, -most, most);
-    evaluation.residuals[2 * sensor + (v.in_contact ? 1 : 0)].add(value, rate, v.variance);
-    evaluation.togetherness[sensor].add(value, rate, v.variance);
+    evaluation.residuals[2 * v.sensor + (v.in_contact ? 1 : 0)].add(value, rate, v.variance);
+    evaluation.togetherness[v.sensor].add(value, rate, v.variance);
   });
+  return evaluation;
 }
 
 /// Twice the negative logarithm of the likelihood of residuals of variance (noise + jitter_s2 growth), for
@@ -147,7 +147,8 @@ double unlikeliness(const Residuals& r, double jitter_s2) {
     double weight = 0.0;
     for (const Bin& bin : r.bin) {
       if (bin.count == 0.0) continue;
-      const double w = 1.0 / std::pow(noise + growth_of(bin), 2);
+      const double variance = noise + growth_of(bin);
+      const double w = 1.0 / (variance * variance);
       sum += w * (bin.squares - bin.count * growth_of(bin));
       weight += w * bin.count;
     }
@@ -179,14 +180,19 @@ double evidence_of(const Evaluation& evaluation, std::size_t sensor, double jitt
 }
 
 Evaluation evaluate(std::span<const AxisFit* const> fits, double share_of_current_noise) {
-  Evaluation evaluation;
-  for (const AxisFit* fit : fits) {
-    if (!knows_rates(*fit)) continue;
-    GapModel model = fit->model();
+  std::vector<Evaluation> of_axis(fits.size());
+  in_parallel(fits.size(), [&](std::size_t i) {
+    if (!knows_rates(*fits[i])) return;
+    GapModel model = fits[i]->model();
     model.noise.current_step *= share_of_current_noise;
-    look_at(*fit, model, evaluation);
+    of_axis[i] = look_at(*fits[i], model);
+  });
+  Evaluation all;
+  for (const auto& [residuals, togetherness] : of_axis) {
+    all.residuals.insert(all.residuals.end(), residuals.begin(), residuals.end());
+    all.togetherness.insert(all.togetherness.end(), togetherness.begin(), togetherness.end());
   }
-  return evaluation;
+  return all;
 }
 
 struct Jitter {

@@ -255,19 +255,26 @@ class Diagnosis {
   }
 
   void measure() {
+    std::array<std::vector<BalanceRows>, 2> rows;
+    std::array<std::vector<BalanceResult>, 2> balances;
+    result_.shrinkage.horizon_s = horizon_s(signals_);
+    in_parallel(outcomes_.size(), [&](std::size_t i) {
+      rows[i] = balance_rows(outcomes_[i].diagnosis);
+      balances[i] = balances_of(outcomes_[i].diagnosis, rows[i]);
+      compare_models(outcomes_[i].diagnosis, options_.seed, result_.shrinkage);
+    });
     std::vector<BalanceRows> gaps;
     std::vector<UnnamedPower> unnamed;
-    for (const AxisOutcome& outcome : outcomes_) {
-      const std::vector<BalanceRows> rows = balance_rows(outcome.diagnosis);
-      for (BalanceResult& balance : balances_of(outcome.diagnosis, rows)) {
+    for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+      const AxisOutcome& outcome = outcomes_[i];
+      for (BalanceResult& balance : balances[i]) {
         const bool has_gap = balance.residual_ratio > kLeastGap * balance.residual_ratio_after;
         unnamed.push_back(
             {leftover_in(balance.balance, outcome), has_gap ? kUnseen * outcome.chance.temperature : 0.0});
         mark(balance, outcome);
         result_.where.push_back(std::move(balance));
       }
-      compare_models(outcome.diagnosis, options_.seed, result_.shrinkage);
-      gaps.insert(gaps.end(), rows.begin(), rows.end());
+      gaps.insert(gaps.end(), rows[i].begin(), rows[i].end());
       for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit))
         result_.parameters.push_back(std::move(parameter));
     }

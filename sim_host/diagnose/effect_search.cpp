@@ -123,7 +123,7 @@ Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   for (const double spread : {2.0, 1.2}) {
     const auto forms = around(candidate.form, centre, spread);
     const std::vector<double> onset_s(forms.size(), candidate.onset_s);
-    take_best(axis, axis.collect_with({forms, onset_s}), forms, finest);
+    take_best(axis, axis.collect_with_each({forms, onset_s}), forms, finest);
     centre = static_cast<double>(finest.form.shape);
   }
   return finest;

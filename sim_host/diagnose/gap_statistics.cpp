@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace morepro::host {
 namespace {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Rows at the start in which the observer still settles.
+// Rows at the start of a stretch in which the observer still settles.
 constexpr std::size_t kSettling = 50;
 constexpr Eigen::Index kBatch = 256;
 // A row beyond this many standard deviations counts as one of them (Huber).
@@ -17,15 +19,20 @@ constexpr double kHuber = 5.0;
 
 class Collector {
  public:
-  Collector(Eigen::Index width, const RecordingSignals& signals, const Whitening& whitening, double block_s,
-            GapStatistics& statistics)
+  /// `parts` of each form; empty for all moments.
+  Collector(Eigen::Index width, std::vector<Eigen::Index> parts, const RecordingSignals& signals,
+            const Whitening& whitening, double block_s, GapStatistics& statistics)
       : whitening_(whitening),
+        parts_(std::move(parts)),
         statistics_(statistics),
         rows_per_block_(std::max<std::size_t>(1, static_cast<std::size_t>(block_s * signals.rate_hz))),
         batch_(kBatch, width) {
     statistics.block_s = block_s;
+    for (auto& values : statistics.normalised) values.reserve(signals.rows);
     for (auto& recent : recent_) recent = RowMatrix::Zero(kRing, width);
   }
+
+  void begin_stretch() { settled_ = {}; }
 
   void take(const Innovation& innovation) {
     const double normalised = innovation.value / std::sqrt(innovation.variance);
@@ -33,7 +40,8 @@ class Collector {
     statistics_.in_contact[innovation.sensor].push_back(innovation.in_contact);
     statistics_.log_variance[innovation.sensor] += std::log(innovation.variance);
     whiten(innovation);
-    if (++seen_[innovation.sensor] <= kSettling) return;
+    ++seen_[innovation.sensor];
+    if (++settled_[innovation.sensor] <= kSettling) return;
     const std::size_t block = innovation.row / rows_per_block_;
     if (block != block_) flush();
     block_ = block;
@@ -47,13 +55,33 @@ class Collector {
       statistics_.block.emplace_back(Eigen::MatrixXd::Zero(width, width));
       statistics_.rows.push_back(0.0);
     }
-    statistics_.block[block_].selfadjointView<Eigen::Lower>().rankUpdate(batch_.topRows(filled_).transpose());
+    add(batch_.topRows(filled_), statistics_.block[block_]);
     statistics_.rows[block_] += static_cast<double>(filled_);
     filled_ = 0;
   }
 
  private:
   static constexpr Eigen::Index kRing = 32;
+
+  /// Their lower triangle.
+  void add(const Eigen::Ref<const RowMatrix>& rows, Eigen::MatrixXd& moments) const {
+    if (parts_.empty()) {
+      moments.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+      return;
+    }
+    const Eigen::Index width = rows.cols();
+    const Eigen::Index parameters =
+        width - 1 - std::accumulate(parts_.begin(), parts_.end(), Eigen::Index{0});
+    moments.leftCols(parameters).noalias() += rows.transpose() * rows.leftCols(parameters);
+    const Eigen::Index others = width - parameters;
+    moments.bottomRightCorner(1, others).noalias() += rows.rightCols(1).transpose() * rows.rightCols(others);
+    Eigen::Index first = parameters;
+    for (const Eigen::Index parts : parts_) {
+      const auto form = rows.middleCols(first, parts);
+      moments.block(first, first, parts, parts).noalias() += form.transpose().lazyProduct(form);
+      first += parts;
+    }
+  }
 
   void whiten(const Innovation& innovation) {
     const SensorWhitening& white = whitening_[innovation.sensor];
@@ -82,6 +110,7 @@ class Collector {
   }
 
   const Whitening& whitening_;
+  std::vector<Eigen::Index> parts_;
   GapStatistics& statistics_;
   std::size_t rows_per_block_;
   RowMatrix batch_;
@@ -89,6 +118,7 @@ class Collector {
   std::size_t block_ = 0;
   std::array<RowMatrix, kSensorsPerAxis> recent_;
   std::array<std::size_t, kSensorsPerAxis> seen_{};
+  std::array<std::size_t, kSensorsPerAxis> settled_{};  ///< rows of this stretch
 };
 
 }  // namespace
@@ -106,16 +136,26 @@ double GapStatistics::total_rows() const {
   return sum;
 }
 
-GapStatistics collect(Axis axis, const RecordingSignals& signals, const GapModel& model,
-                      const Disturbances& disturbances, const Whitening& whitening, double block_s) {
+GapStatistics collect(Axis axis, const RecordingSignals& signals, std::span<const Stretch> stretches,
+                      const GapModel& model, const Disturbances& disturbances, const Whitening& whitening,
+                      double block_s, Moments moments) {
   GapStatistics statistics;
   statistics.may_remember = !signals.is_thinned;
-  std::size_t terms = 0;
-  for (const gap::EffectForm& form : disturbances.forms) terms += form.parts;
-  const auto width = static_cast<Eigen::Index>(parameter_count(axis) + terms + 1);
-  Collector collector(width, signals, whitening, block_s, statistics);
-  run_observer(axis, signals, model, disturbances, 0, signals.rows,
-               [&collector](const Innovation& innovation) { collector.take(innovation); });
+  const bool has_columns = moments != Moments::kOfInnovations;
+  Eigen::Index width = has_columns ? static_cast<Eigen::Index>(parameter_count(axis)) + 1 : 1;
+  std::vector<Eigen::Index> parts;
+  for (const gap::EffectForm& form : disturbances.forms) parts.push_back(form.parts);
+  for (const Eigen::Index count : parts) width += count;
+  if (moments == Moments::kAll) parts.clear();
+  Collector collector(width, std::move(parts), signals, whitening, block_s, statistics);
+  const auto take = [&collector](const Innovation& innovation) { collector.take(innovation); };
+  for (const auto& [first, last] : stretches) {
+    collector.begin_stretch();
+    if (has_columns)
+      run_observer(axis, signals, model, disturbances, first, last, take);
+    else
+      run_observer(axis, signals, model, first, last, take);
+  }
   collector.flush();
   return statistics;
 }

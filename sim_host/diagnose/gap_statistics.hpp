@@ -29,9 +29,14 @@ struct GapStatistics {
   [[nodiscard]] double total_rows() const;
 };
 
-/// One pass over the whole recording. `block_s` > 0.
-GapStatistics collect(Axis axis, const RecordingSignals& signals, const GapModel& model,
-                      const Disturbances& disturbances, const Whitening& whitening, double block_s);
+/// Which moments are worth their time: all of them; none between the terms of different forms, where each
+/// form is tried by itself; or those of the innovations alone.
+enum class Moments : std::uint8_t { kAll, kFormByForm, kOfInnovations };
+
+/// One pass over stretches of a recording, in their order. `block_s` > 0.
+GapStatistics collect(Axis axis, const RecordingSignals& signals, std::span<const Stretch> stretches,
+                      const GapModel& model, const Disturbances& disturbances, const Whitening& whitening,
+                      double block_s, Moments moments = Moments::kAll);
 
 /// Twice the negative logarithm of the likelihood of a pass, with the whitening that fits it best: what
 /// models of different noise are compared by. Smaller is better.

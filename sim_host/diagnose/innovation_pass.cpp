@@ -9,8 +9,22 @@
 namespace morepro::host {
 namespace {
 
-using Spindle = gap::SpindleObserver<double, kMostTerms, kMostApplied, kDelaySteps>;
-using Feed = gap::FeedObserver<double, kMostTerms, kMostApplied, kDelaySteps>;
+/// An observer for so many terms and effects. Most passes are over a model with few effects, without
+/// candidates: the smaller one stays in the cache.
+template <std::size_t kTerms, std::size_t kApplied>
+using Spindle = gap::SpindleObserver<double, kTerms, kApplied, kDelaySteps>;
+template <std::size_t kTerms, std::size_t kApplied>
+using Feed = gap::FeedObserver<double, kTerms, kApplied, kDelaySteps>;
+
+constexpr std::size_t kFewTerms = 16;
+constexpr std::size_t kFewApplied = 4;
+
+bool is_small(const GapModel& model, const Disturbances* disturbances) {
+  std::size_t terms = 0;
+  if (disturbances != nullptr)
+    for (const gap::EffectForm& form : disturbances->forms) terms += form.parts;
+  return terms <= kFewTerms && model.known.size() + model.effects.size() <= kFewApplied;
+}
 
 /// Speed and angle of the spindle as its sensors show them: what the feed's effects need of it.
 struct SpindleMotion {
@@ -24,13 +38,15 @@ struct SpindleMotion {
   double angle_rad = 0.0;
 };
 
+/// Without disturbances there are no columns either.
 template <class Observer>
 std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& model,
-                               const Disturbances& disturbances) {
+                               const Disturbances* disturbances) {
   auto observer = std::make_unique<Observer>(model.machine, model.point, 1.0 / signals.rate_hz, model.noise);
-  for (std::size_t i = 0; i < disturbances.forms.size(); ++i)
-    observer->terms().add(disturbances.forms[i],
-                          disturbances.onset_s.empty() ? 0.0 : disturbances.onset_s[i]);
+  if (disturbances == nullptr) observer->leave_out_columns();
+  for (std::size_t i = 0; disturbances != nullptr && i < disturbances->forms.size(); ++i)
+    observer->terms().add(disturbances->forms[i],
+                          disturbances->onset_s.empty() ? 0.0 : disturbances->onset_s[i]);
   for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
   for (const gap::AppliedEffect& effect : model.effects) observer->terms().apply(effect);
   return observer;
@@ -45,11 +61,12 @@ void report(const Row& row, std::size_t columns, Innovation& innovation, const O
   on_innovation(innovation);
 }
 
-void run_spindle(const RecordingSignals& signals, const GapModel& model, const Disturbances& disturbances,
+template <class Observer>
+void run_spindle(const RecordingSignals& signals, const GapModel& model, const Disturbances* disturbances,
                  std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
-  const auto observer = make<Spindle>(signals, model, disturbances);
-  const auto rows = std::make_unique<Spindle::Rows>();
-  const std::size_t columns = gap::kSpindleParameters + observer->terms().size();
+  const auto observer = make<Observer>(signals, model, disturbances);
+  const auto rows = std::make_unique<typename Observer::Rows>();
+  const std::size_t columns = disturbances != nullptr ? observer->columns() : 0;
   FrameSource frames(signals, model.machine, first);
   while (frames.row() < last) {
     Innovation innovation{.row = frames.row()};
@@ -63,11 +80,12 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
   }
 }
 
-void run_feed(const RecordingSignals& signals, const GapModel& model, const Disturbances& disturbances,
+template <class Observer>
+void run_feed(const RecordingSignals& signals, const GapModel& model, const Disturbances* disturbances,
               std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
-  const auto observer = make<Feed>(signals, model, disturbances);
-  const auto rows = std::make_unique<Feed::Rows>();
-  const std::size_t columns = gap::kFeedParameters + observer->terms().size();
+  const auto observer = make<Observer>(signals, model, disturbances);
+  const auto rows = std::make_unique<typename Observer::Rows>();
+  const std::size_t columns = disturbances != nullptr ? observer->columns() : 0;
   FrameSource frames(signals, model.machine, first);
   SpindleMotion spindle(signals.rate_hz);
   while (frames.row() < last) {
@@ -83,42 +101,54 @@ void run_feed(const RecordingSignals& signals, const GapModel& model, const Dist
   }
 }
 
+void run(Axis axis, const RecordingSignals& signals, const GapModel& model, const Disturbances* disturbances,
+         std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
+  const NoTinyNumbers guard;
+  const bool is_spindle = axis == Axis::kSpindle;
+  const auto small =
+      is_spindle ? run_spindle<Spindle<kFewTerms, kFewApplied>> : run_feed<Feed<kFewTerms, kFewApplied>>;
+  const auto large =
+      is_spindle ? run_spindle<Spindle<kMostTerms, kMostApplied>> : run_feed<Feed<kMostTerms, kMostApplied>>;
+  (is_small(model, disturbances) ? small : large)(signals, model, disturbances, first, last, on_innovation);
+}
+
 }  // namespace
 
 EffectTrace trace_effects(Axis axis, const RecordingSignals& signals, const GapModel& model) {
-  EffectTrace trace;
-  const auto keep = [&trace](const auto& observer) {
-    trace.added.push_back(observer.added());
-    trace.shown.push_back(observer.shown());
-  };
+  if (model.known.empty() && model.effects.empty()) return [] { return EffectsOfRow{}; };
   FrameSource frames(signals, model.machine, 0);
   if (axis == Axis::kSpindle) {
-    const auto observer = make<Spindle>(signals, model, {});
-    const auto rows = std::make_unique<Spindle::Rows>();
-    for (std::size_t i = 0; i < signals.rows; ++i, keep(*observer)) observer->step(frames.next(), *rows);
-  } else {
-    const auto observer = make<Feed>(signals, model, {});
-    const auto rows = std::make_unique<Feed::Rows>();
-    SpindleMotion spindle(signals.rate_hz);
-    for (std::size_t i = 0; i < signals.rows; ++i, keep(*observer)) {
-      const auto frame = frames.next();
-      spindle.take(frame);
-      observer->step(frame, spindle.speed_rad_s, spindle.angle_rad, *rows);
-    }
+    using Observer = Spindle<0, kMostApplied>;
+    const std::shared_ptr<Observer> observer = make<Observer>(signals, model, nullptr);
+    return [observer, frames, rows = typename Observer::Rows{}]() mutable {
+      observer->step(frames.next(), rows);
+      return EffectsOfRow{observer->added(), observer->shown()};
+    };
   }
-  return trace;
+  using Observer = Feed<0, kMostApplied>;
+  const std::shared_ptr<Observer> observer = make<Observer>(signals, model, nullptr);
+  return [observer, frames, rows = typename Observer::Rows{},
+          spindle = SpindleMotion(signals.rate_hz)]() mutable {
+    const auto frame = frames.next();
+    spindle.take(frame);
+    observer->step(frame, spindle.speed_rad_s, spindle.angle_rad, rows);
+    return EffectsOfRow{observer->added(), observer->shown()};
+  };
 }
 
 std::size_t parameter_count(Axis axis) {
   return axis == Axis::kSpindle ? gap::kSpindleParameters : gap::kFeedParameters;
 }
 
+void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& model, std::size_t first,
+                  std::size_t last, const OnInnovation& on_innovation) {
+  run(axis, signals, model, nullptr, first, last, on_innovation);
+}
+
 void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& model,
                   const Disturbances& disturbances, std::size_t first, std::size_t last,
                   const OnInnovation& on_innovation) {
-  const NoTinyNumbers guard;
-  const auto run = axis == Axis::kSpindle ? run_spindle : run_feed;
-  run(signals, model, disturbances, first, last, on_innovation);
+  run(axis, signals, model, &disturbances, first, last, on_innovation);
 }
 
 }  // namespace morepro::host

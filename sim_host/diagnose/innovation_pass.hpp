@@ -24,7 +24,8 @@ struct Innovation {
   bool in_contact = false;
   double value = 0.0;
   double variance = 1.0;
-  std::span<const double> columns{};  ///< parameters of the axis, then the terms of the forms in their order
+  /// Parameters of the axis, then the terms of the forms in their order; none without disturbances.
+  std::span<const double> columns{};
 };
 
 using OnInnovation = std::function<void(const Innovation&)>;
@@ -42,18 +43,24 @@ struct Disturbances {
   Disturbances(const Forms& all, std::span<const double> onsets = {}) : forms(all), onset_s(onsets) {}
 };
 
-/// Runs the observer of one axis over rows [first, last) of the recording with the model, and disturbances.
-/// The observer starts at `first`.
+/// Runs the observer of one axis over rows [first, last) of the recording with the model. The observer starts
+/// at `first`. The innovations have no columns.
+void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& model, std::size_t first,
+                  std::size_t last, const OnInnovation& on_innovation);
+
+/// The same with the columns of the parameters and of disturbances.
 void run_observer(Axis axis, const RecordingSignals& signals, const GapModel& model,
                   const Disturbances& disturbances, std::size_t first, std::size_t last,
                   const OnInnovation& on_innovation);
 
-/// What the effects of a model, known and found, do in every row of a recording: to the balances during the
-/// interval that begins there, to the sensors at its beginning.
-struct EffectTrace {
-  std::vector<gap::Contribution<double>> added;
-  std::vector<gap::Contribution<double>> shown;
+/// What the effects of a model do in a row of a recording: to the balances during the interval that begins
+/// there, to the sensors at its beginning.
+struct EffectsOfRow {
+  gap::Contribution<double> added;
+  gap::Contribution<double> shown;
 };
+/// Gives them row by row, from the first.
+using EffectTrace = std::function<EffectsOfRow()>;
 EffectTrace trace_effects(Axis axis, const RecordingSignals& signals, const GapModel& model);
 
 }  // namespace morepro::host

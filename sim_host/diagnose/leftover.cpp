@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::size_t kMostStructures = 8;
 
-void look_for_functions(const AxisFit& fit, double least_evidence, Leftover& leftover) {
-  const auto forms = unnamed_forms(fit.axis(), fit.signals());
-  const GapStatistics statistics = fit.collect_with(forms);
+/// Functions worth the evidence, one after the other, `most` of them.
+void take_functions(const AxisFit& fit, const std::vector<gap::EffectForm>& forms,
+                    const GapStatistics& statistics, double least_evidence, std::size_t most,
+                    Leftover& leftover) {
   const Eigen::MatrixXd moments = statistics.total();
   if (moments.size() == 0) return;
   const Eigen::Index width = moments.cols();
@@ -22,7 +23,7 @@ void look_for_functions(const AxisFit& fit, double least_evidence, Leftover& lef
   const auto first = static_cast<Eigen::Index>(active.size());
   const double rows = statistics.total_rows();
   double torque = 0.0;
-  for (std::size_t i = 0; i < kMostStructures; ++i) {
+  for (std::size_t i = 0; i < most; ++i) {
     const Remainder rest = remainder(moments, active, fit.precision(width), fit.target(width));
     double best = 0.0;
     Eigen::Index chosen = first;
@@ -69,8 +70,7 @@ std::vector<float> over_angle(const std::vector<float>& white, const RecordingSi
   return bins;
 }
 
-void look_for_lines(const AxisFit& fit, Leftover& leftover) {
-  const GapStatistics statistics = fit.collect_with({});
+void look_for_lines(const AxisFit& fit, const GapStatistics& statistics, Leftover& leftover) {
   const Whitening whitening = whitening_of(statistics);
   double largest = 0.0;
   double torque = 0.0;
@@ -93,8 +93,16 @@ void look_for_lines(const AxisFit& fit, Leftover& leftover) {
 
 Leftover leftover_of(const AxisFit& fit, double least_evidence) {
   Leftover leftover;
-  look_for_functions(fit, least_evidence, leftover);
-  look_for_lines(fit, leftover);
+  const auto forms = unnamed_forms(fit.axis(), fit.signals());
+  // Mostly there is none, and that is known without what they have in common.
+  GapStatistics statistics = fit.collect_with_each(forms);
+  take_functions(fit, forms, statistics, least_evidence, 1, leftover);
+  if (leftover.gain > 0.0) {
+    leftover = {};
+    statistics = fit.collect_with(forms);
+    take_functions(fit, forms, statistics, least_evidence, kMostStructures, leftover);
+  }
+  look_for_lines(fit, statistics, leftover);
   return leftover;
 }
 

@@ -74,7 +74,7 @@ ModelErrors errors_of(Axis axis, const RecordingSignals& signals, std::array<Gap
     const auto run = [&](double free_from_s) {
       HorizonErrors sum;
       model.noise.free_from_s = free_from_s;
-      run_observer(axis, signals, model, {}, first - horizons.settling, horizons.last(h),
+      run_observer(axis, signals, model, first - horizons.settling, horizons.last(h),
                    [&](const Innovation& v) {
                      if (v.row >= first) sum[v.sensor].add(v);
                    });
@@ -144,15 +144,15 @@ using Errors = std::array<ModelErrors, 3>;
 
 Errors errors_of(const AxisDiagnosis& diagnosis, const Horizons& horizons) {
   const AxisFit& fit = diagnosis.fit;
-  std::array<std::array<GapModel, 2>, 3> models{
-      std::array{fit.datasheet(), fit.datasheet()},
-      diagnosis.nominal.cross_fitted(horizons.length_s, horizons.held_out),
-      fit.cross_fitted(horizons.length_s, horizons.held_out)};
-  Errors errors;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    for (GapModel& model : models[i]) model.noise = fit.model().noise;
-    errors[i] = errors_of(fit.axis(), fit.signals(), std::move(models[i]), horizons);
-  }
+  const auto of = [&](std::array<GapModel, 2> models) {
+    for (GapModel& model : models) model.noise = fit.model().noise;
+    return errors_of(fit.axis(), fit.signals(), std::move(models), horizons);
+  };
+  const auto of_fit = [&](const AxisFit& one) {
+    return of(one.cross_fitted(horizons.length_s, horizons.held_out));
+  };
+  Errors errors{of({fit.datasheet(), fit.datasheet()}), of_fit(diagnosis.nominal), {}};
+  errors.back() = diagnosis.found.empty() ? errors[1] : of_fit(fit);
   return errors;
 }
 
@@ -173,10 +173,11 @@ double floor_of(const Errors& errors, const AxisFit& fit, Kind kind, std::size_t
 
 }  // namespace
 
+double horizon_s(const RecordingSignals& signals) { return Horizons(signals).length_s; }
+
 void compare_models(const AxisDiagnosis& diagnosis, std::uint64_t seed, Shrinkage& shrinkage) {
   const AxisFit& fit = diagnosis.fit;
   const Horizons horizons(fit.signals());
-  shrinkage.horizon_s = horizons.length_s;
   const Errors errors = errors_of(diagnosis, horizons);
   for (const auto& [balance, sensor, channel] : watched(fit.axis(), fit.signals())) {
     const double unit = deviation_of(fit.signals(), channel);

@@ -12,14 +12,16 @@ namespace {
 constexpr double kMostShare = 100.0;
 constexpr std::size_t kStretches = 4;
 constexpr std::size_t kStretchRows = 2500;
+constexpr std::size_t kRoughRows = 1200;
 constexpr std::size_t kSettling = 200;
 
-double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& model) {
+/// Over stretches of at most `length` rows.
+double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& model, std::size_t length) {
   double sum = 0.0;
-  const std::size_t length = std::min(kStretchRows, std::max<std::size_t>(signals.rows / kStretches, 1));
+  length = std::min(length, std::max<std::size_t>(signals.rows / kStretches, 1));
   for (std::size_t i = 0; i < kStretches; ++i) {
     const std::size_t first = i * (signals.rows - length) / (kStretches - 1);
-    run_observer(axis, signals, model, {}, first, first + length, [&](const Innovation& v) {
+    run_observer(axis, signals, model, first, first + length, [&](const Innovation& v) {
       if (v.row < first + kSettling) return;
       const double square = v.value * v.value / v.variance;
       // Beyond three deviations it grows like a heavy tail: outliers do not choose the noise.
@@ -29,24 +31,41 @@ double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& 
   return sum;
 }
 
-/// `value` is part of the model, between `least` and `most`.
-void search(Axis axis, const RecordingSignals& signals, GapModel& model, double& value, double least,
-            double most) {
-  double best = unlikeliness(axis, signals, model);
-  for (const double factor : {4.0, 0.25, 1.6, 0.625}) {
-    for (;;) {
-      const double before = value;
-      value = std::clamp(value * factor, least, most);
-      const double other = value == before ? best : unlikeliness(axis, signals, model);
-      if (other < best - 1.0) {
-        best = other;
-        continue;
+/// Looks for the process noise that makes some stretches of a recording most likely, one value after another.
+class NoiseSearch {
+ public:
+  NoiseSearch(Axis axis, const RecordingSignals& signals, GapModel& model, std::size_t length)
+      : axis_(axis), signals_(signals), model_(model), length_(length), best_(unlikeliness_now()) {}
+
+  /// `value` is part of the model, between `least` and `most`. Has it changed?
+  bool search(double& value, double least, double most) {
+    const double start = value;
+    for (const double factor : {4.0, 0.25, 1.6, 0.625})
+      while (is_better_with(factor, value, least, most)) {
       }
-      value = before;
-      break;
-    }
+    return value != start;
   }
-}
+
+ private:
+  double unlikeliness_now() const { return unlikeliness(axis_, signals_, model_, length_); }
+  bool is_better_with(double factor, double& value, double least, double most) {
+    const double before = value;
+    value = std::clamp(value * factor, least, most);
+    const double other = value == before ? best_ : unlikeliness_now();
+    if (other < best_ - 1.0) {
+      best_ = other;
+      return true;
+    }
+    value = before;
+    return false;
+  }
+
+  Axis axis_;
+  const RecordingSignals& signals_;
+  GapModel& model_;
+  std::size_t length_;
+  double best_;
+};
 
 }  // namespace
 
@@ -63,24 +82,25 @@ gap::GapNoise<double> usual_noise(const Sensors& sensors) {
 }
 
 void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
-               double least_share, GapModel& model) {
+               double least_share, bool is_rough, GapModel& model) {
   auto& noise = model.noise;
+  NoiseSearch noises(axis, signals, model, is_rough ? kRoughRows : kStretchRows);
   const auto search_step = [&](double& step, double sensor_variance) {
     const double sensor = std::sqrt(sensor_variance);
-    search(axis, signals, model, step, least_share * sensor, kMostShare * sensor);
+    return noises.search(step, least_share * sensor, kMostShare * sensor);
   };
   if (axis == Axis::kFeed) {
     search_step(noise.feed_step, noise.feed_speed_variance);
     // Position by itself: whether the file's noise of a good encoder is right decides what speed is worth.
     if (signals.is_thinned)
-      search(axis, signals, model, noise.feed_position_variance, 1.0e-3 * stated.feed_position_variance,
-             stated.feed_position_variance);
+      noises.search(noise.feed_position_variance, 1.0e-3 * stated.feed_position_variance,
+                    stated.feed_position_variance);
     return;
   }
-  for (int round = 0; round < 2; ++round) {
-    search_step(noise.speed_step, noise.speed_variance);
+  search_step(noise.speed_step, noise.speed_variance);
+  if (search_step(noise.current_step, noise.current_variance) &&
+      search_step(noise.speed_step, noise.speed_variance))
     search_step(noise.current_step, noise.current_variance);
-  }
 }
 
 }  // namespace morepro::host

@@ -27,7 +27,15 @@ void parameters_first(AxisFit& fit) {
 std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   AxisFit best = start;
   AxisFit other = start;
+  best.narrow_down();
+  other.narrow_down();
   in_parallel(2, [&](std::size_t i) { i == 0 ? noise_first(best) : parameters_first(other); });
+  if (other.unlikeliness() < best.unlikeliness()) std::swap(best, other);
+  const bool are_same = !(other.unlikeliness() - best.unlikeliness() > kSame);
+  best.widen();
+  other.widen();
+  in_parallel(are_same ? 1 : 2, [&](std::size_t i) { (i == 0 ? best : other).settle(1); });
+  if (are_same) return {std::move(best)};
   if (other.unlikeliness() < best.unlikeliness()) std::swap(best, other);
   const double worse = other.unlikeliness() - best.unlikeliness();
   const double hopeless = kHopeless * static_cast<double>(start.signals().rows);

@@ -55,7 +55,7 @@ OrderPowers powers(const AxisFit& fit, const GapModel& model, std::size_t sensor
   OrderPowers result{.power = std::vector<double>(orders.size(), 0.0)};
   std::vector<std::complex<double>> sum(orders.size());
   std::size_t filled = 0;
-  run_observer(fit.axis(), fit.signals(), model, {}, 0, fit.signals().rows, [&](const Innovation& v) {
+  run_observer(fit.axis(), fit.signals(), model, 0, fit.signals().rows, [&](const Innovation& v) {
     if (v.sensor != sensor) return;
     const std::complex<double> turn = std::polar(1.0, -angles[v.row]);
     std::complex<double> rotated = v.value / std::sqrt(v.variance);

@@ -36,6 +36,7 @@ class Loader {
     for (auto& column : signals_.value)
       if (!column.empty()) column.resize(signals_.rows, kMissing);
     signals_.missing_rows = signals_.rows - frames_;
+    count_cutting_time(signals_);
     return std::move(signals_);
   }
 

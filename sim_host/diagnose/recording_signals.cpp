@@ -36,6 +36,17 @@ void calm_temperatures(RecordingSignals& signals) {
   signals.calm_winding_degc = calm(signals.value[index_of(Channel::kWindingTemperature)], reach);
 }
 
+void count_cutting_time(RecordingSignals& signals) {
+  signals.cutting_time_s.clear();
+  double sum_s = 0.0;
+  double contact = 0.0;
+  for (const float value : signals.value[index_of(Channel::kContact)]) {
+    signals.cutting_time_s.push_back(sum_s);
+    if (!std::isnan(value)) contact = static_cast<double>(value);
+    sum_s += contact / signals.rate_hz;
+  }
+}
+
 RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
   RecordingSignals thin;
   thin.is_thinned = true;
@@ -54,7 +65,24 @@ RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
       thin.value[c].push_back(is_input ? sum / static_cast<float>(factor) : from[row * factor]);
     }
   }
+  count_cutting_time(thin);
   return thin;
+}
+
+std::vector<Stretch> quarter_of(const RecordingSignals& signals) {
+  constexpr std::size_t kStretches = 16;
+  constexpr std::size_t kShort = 40000;  // rows
+  if (signals.rows < kShort) return all_of(signals);
+  const std::size_t room = signals.rows / kStretches;
+  const std::size_t length = room / 4;
+  std::vector<Stretch> stretches;
+  for (std::size_t i = 0; i < kStretches; ++i) {
+    // At another place of each sixteenth, or a machine that repeats itself would show the same moment of its
+    // cycle again and again.
+    const std::size_t first = i * room + (i * 7 % kStretches) * (room - length) / kStretches;
+    stretches.push_back({first, first + length});
+  }
+  return stretches;
 }
 
 FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
@@ -63,13 +91,7 @@ FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameter
   input_.engagement = machine.feed.engagement;
   input_.chip_load_mm = machine.tool.chip_load_mm;
   input_.tool_temperature_degc = machine.thermal.tool_degc;
-  if (!signals.has(Channel::kContact)) return;
-  for (std::size_t row = 0; row < first; ++row) {
-    double contact = 0.0;
-    const float value = signals.value[index_of(Channel::kContact)][row];
-    if (!std::isnan(value)) contact = static_cast<double>(value);
-    cutting_time_s_ += contact / signals.rate_hz;
-  }
+  if (first < signals.cutting_time_s.size()) cutting_time_s_ = signals.cutting_time_s[first];
 }
 
 double FrameSource::held(Channel channel, double& value) const {

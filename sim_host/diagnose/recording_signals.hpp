@@ -24,10 +24,28 @@ struct RecordingSignals {
   std::vector<float> calm_tool_degc;
   std::vector<float> calm_winding_degc;
 
+  std::vector<double> cutting_time_s;  ///< before each row; empty without contact
+
   [[nodiscard]] bool has(Channel channel) const { return (recorded & bit_of(channel)) != 0; }
   [[nodiscard]] double duration_s() const { return static_cast<double>(rows) / rate_hz; }
   [[nodiscard]] double time_s(std::size_t row) const { return static_cast<double>(row) / rate_hz; }
 };
+
+/// Rows [first, last) of a recording.
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// The whole recording as one stretch.
+inline std::vector<Stretch> all_of(const RecordingSignals& signals) { return {{0, signals.rows}}; }
+
+/// Stretches from everywhere that make up a quarter of a long recording: enough to come near to what all of
+/// it says. All of a short one.
+std::vector<Stretch> quarter_of(const RecordingSignals& signals);
+
+/// Fills in the cutting time.
+void count_cutting_time(RecordingSignals& signals);
 
 /// Every `factor`-th sample; inputs become their means over the longer intervals.
 RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor);

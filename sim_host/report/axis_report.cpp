@@ -28,7 +28,7 @@ class Measured {
 
 void trace(Axis axis, const RecordingSignals& signals, const GapModel& model, ModelTrace& trace) {
   const Measured measured(axis, signals);
-  run_observer(axis, signals, model, {}, 0, signals.rows,
+  run_observer(axis, signals, model, 0, signals.rows,
                [&](const Innovation& v) { trace.take(v, measured(v)); });
   trace.finish(signals.rows);
 }
@@ -46,7 +46,7 @@ void run_free(Axis axis, const RecordingSignals& signals, GapModel model, std::s
   for (std::size_t first = settling; first < signals.rows; first += length) {
     model.noise.free_from_s = signals.time_s(first);
     const std::size_t last = std::min(first + length, signals.rows);
-    run_observer(axis, signals, model, {}, first - settling, last, [&](const Innovation& v) {
+    run_observer(axis, signals, model, first - settling, last, [&](const Innovation& v) {
       if (v.row < first || v.sensor != sensor) return;
       table.begin_row(v.row);
       // The last sample of a horizon stays open: a new one starts elsewhere.

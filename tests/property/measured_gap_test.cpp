@@ -55,7 +55,7 @@ double free_run_speed_error(const RecordingSignals& signals, GapModel model) {
   constexpr std::size_t kSettling = 50;
   model.noise.free_from_s = signals.time_s(kSettling);
   std::vector<double> error;
-  run_observer(Axis::kFeed, signals, model, {}, 0, signals.rows, [&](const Innovation& v) {
+  run_observer(Axis::kFeed, signals, model, 0, signals.rows, [&](const Innovation& v) {
     if (v.row >= kSettling) error.push_back(v.value);
   });
   const auto& position = signals.value[index_of(Channel::kFeedPosition)];
