@@ -260,7 +260,7 @@ class Search {
     }
     trial.widen();
     if (has_changed)
-      trial.settle(1);
+      trial.polish();
     else
       trial = std::move(found);
   }
@@ -279,7 +279,7 @@ class Search {
         else
           onset_s = before_s;
       }
-    trial.settle(1);
+    trial.polish();
   }
 
   static const AxisFit* fit_of(const std::vector<Trial>& trials, const Candidate& candidate) {

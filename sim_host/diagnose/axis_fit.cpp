@@ -23,8 +23,6 @@ constexpr double kHopeless = 0.01;     // deviance per row that another round do
 constexpr double kCrawl = 0.005;       // share of its promise that a step keeps where another one is no use
 constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
-
 /// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.
 int directions_known(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& precision) {
   const Eigen::VectorXd root = precision.cwiseSqrt();
@@ -293,27 +291,33 @@ void AxisFit::refit_with_this_noise() {
   }
 }
 
-// Noise that was fitted to wrong parameters hides how wrong they are: in turns, until nothing is gained.
-// The noise is searched for on some stretches only, so that a round may make it worse; the best one counts.
-// From where a part of the recording has led to, all of it needs one round.
 void AxisFit::settle(int most_rounds, double rival) {
-  if (!is_narrow()) {
-    narrow_down();
-    if (!is_narrow()) return settle_here(most_rounds, rival);
-    settle_here(most_rounds, kNone);
-    widen();
-    most_rounds = 1;
-  }
-  settle_here(most_rounds, is_narrow() ? kNone : rival);
+  const bool sees_all = !is_narrow();
+  unlikeliness_ = kNone;
+  if (sees_all) narrow_down();
+  if (!is_narrow()) return take_turns(most_rounds, rival);
+  take_turns(most_rounds, kNone);
+  if (!sees_all) return;
+  widen();
+  polish(rival);
 }
 
-void AxisFit::settle_here(int most_rounds, double rival) {
+void AxisFit::polish(double rival) {
+  constexpr int kFewRounds = 3;
+  refit();
+  take_turns(kFewRounds, rival);
+}
+
+// Noise that was fitted to wrong parameters hides how wrong they are: in turns, until nothing is gained.
+// The noise is searched for on some stretches only, so that a round may make it worse; the best one counts.
+void AxisFit::take_turns(int most_rounds, double rival) {
   constexpr int kMostInVain = 2;
   AxisFit best = *this;
-  best.unlikeliness_ = std::numeric_limits<double>::infinity();
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < kMostInVain; ++round) {
-    fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model_);
+    const bool has_changed =
+        fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model_);
+    if (!has_changed && std::isfinite(best.unlikeliness_)) break;
     refit();
     if (!std::isfinite(unlikeliness_)) break;
     in_vain = unlikeliness_ < best.unlikeliness_ - kSettledRound ? 0 : in_vain + 1;

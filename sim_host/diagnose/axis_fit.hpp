@@ -2,6 +2,8 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "sim_host/diagnose/gap_model.hpp"
 #include "sim_host/diagnose/gap_statistics.hpp"
@@ -21,21 +23,23 @@ class AxisFit {
   /// there is takes a wrong mass for the better one.
   void allow_little_noise() { least_noise_share_ = kLittleNoiseShare; }
 
-  /// From now on the fit sees a quarter of a long recording, or all of it again. What was found likely on
-  /// one does not compare with the other.
-  void narrow_down() { stretches_ = quarter_of(*signals_); }
-  void widen() { stretches_ = all_of(*signals_); }
+  /// From now on the fit sees a quarter of a long recording, or all of it again: how likely it is on the
+  /// other is not known then.
+  void narrow_down() { look_at(quarter_of(*signals_)); }
+  void widen() { look_at(all_of(*signals_)); }
   /// Fits the process noise alone.
   void match_noise();
   /// Fits process noise, parameters and the sizes of the model's effects, in turns, first to a part of the
   /// recording; no longer than it takes to see that it will not become likelier than `rival`.
-  void settle(int most_rounds = 6, double rival = std::numeric_limits<double>::infinity());
+  void settle(int most_rounds = 6, double rival = kNone);
+  /// The same from near the end, with all that is looked at.
+  void polish(double rival = kNone);
   /// The same without the process noise.
   void refit();
   /// The same without the whitening either: what is compared must be judged alike.
   void refit_with_this_noise();
 
-  /// Twice the negative logarithm of the likelihood of the fitted model.
+  /// Twice the negative logarithm of the likelihood of the fitted model; infinite before.
   [[nodiscard]] double unlikeliness() const { return unlikeliness_; }
   /// The same of the model as it stands, nothing fitted.
   [[nodiscard]] double unlikeliness_as_it_is() const { return unlikeliness_of(innovations()); }
@@ -82,6 +86,7 @@ class AxisFit {
   void set_whitening(const Whitening& whitening) { whitening_ = whitening; }
 
  private:
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
   struct Trial {
     GapStatistics statistics;
     Eigen::MatrixXd moments;
@@ -90,7 +95,11 @@ class AxisFit {
   };
   [[nodiscard]] Trial tried() const;
   [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
-  void settle_here(int most_rounds, double rival);
+  void look_at(std::vector<Stretch> stretches) {
+    stretches_ = std::move(stretches);
+    unlikeliness_ = kNone;
+  }
+  void take_turns(int most_rounds, double rival);
   bool improve(Trial& best);
   [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments,
                                         const std::vector<Eigen::Index>& active, double damping) const;
@@ -107,7 +116,7 @@ class AxisFit {
   GapModel model_;
   Whitening whitening_;
   double least_noise_share_ = kUsualNoiseShare;
-  double unlikeliness_ = 0.0;
+  double unlikeliness_ = kNone;
   int known_directions_ = 0;
   Eigen::VectorXd standard_error_;
 };

@@ -81,7 +81,7 @@ gap::GapNoise<double> usual_noise(const Sensors& sensors) {
   return noise;
 }
 
-void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
+bool fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
                double least_share, bool is_rough, GapModel& model) {
   auto& noise = model.noise;
   NoiseSearch noises(axis, signals, model, is_rough ? kRoughRows : kStretchRows);
@@ -90,17 +90,18 @@ void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<d
     return noises.search(step, least_share * sensor, kMostShare * sensor);
   };
   if (axis == Axis::kFeed) {
-    search_step(noise.feed_step, noise.feed_speed_variance);
+    bool has_changed = search_step(noise.feed_step, noise.feed_speed_variance);
     // Position by itself: whether the file's noise of a good encoder is right decides what speed is worth.
     if (signals.is_thinned)
-      noises.search(noise.feed_position_variance, 1.0e-3 * stated.feed_position_variance,
-                    stated.feed_position_variance);
-    return;
+      has_changed |= noises.search(noise.feed_position_variance, 1.0e-3 * stated.feed_position_variance,
+                                   stated.feed_position_variance);
+    return has_changed;
   }
-  search_step(noise.speed_step, noise.speed_variance);
-  if (search_step(noise.current_step, noise.current_variance) &&
-      search_step(noise.speed_step, noise.speed_variance))
+  const bool has_speed_changed = search_step(noise.speed_step, noise.speed_variance);
+  if (!search_step(noise.current_step, noise.current_variance)) return has_speed_changed;
+  if (search_step(noise.speed_step, noise.speed_variance))
     search_step(noise.current_step, noise.current_variance);
+  return true;
 }
 
 }  // namespace morepro::host

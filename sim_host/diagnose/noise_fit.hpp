@@ -15,8 +15,8 @@ gap::GapNoise<double> usual_noise(const Sensors& sensors);
 
 /// Chooses the process noise of one axis under which the innovations are most likely, on some stretches of
 /// the recording, shorter ones for a rough answer; not below `least_share`. Of a thinned recording the
-/// position's noise too, which may be less than `stated`, the machine file's.
-void fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
+/// position's noise too, which may be less than `stated`, the machine file's. Has it changed?
+bool fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
                double least_share, bool is_rough, GapModel& model);
 
 }  // namespace morepro::host

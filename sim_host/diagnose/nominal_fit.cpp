@@ -34,7 +34,7 @@ std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   const bool are_same = !(other.unlikeliness() - best.unlikeliness() > kSame);
   best.widen();
   other.widen();
-  in_parallel(are_same ? 1 : 2, [&](std::size_t i) { (i == 0 ? best : other).settle(1); });
+  in_parallel(are_same ? 1 : 2, [&](std::size_t i) { (i == 0 ? best : other).polish(); });
   if (are_same) return {std::move(best)};
   if (other.unlikeliness() < best.unlikeliness()) std::swap(best, other);
   const double worse = other.unlikeliness() - best.unlikeliness();

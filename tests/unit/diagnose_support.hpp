@@ -56,6 +56,7 @@ inline RecordingSignals record(const SimulatedRun& run) {
     for (std::size_t c = 0; c < kChannelCount; ++c)
       if (frame.has(static_cast<Channel>(c))) signals.value[c][frame.sequence] = frame.value[c];
   signals.missing_rows = signals.rows - frames;
+  host::count_cutting_time(signals);
   return signals;
 }
 
