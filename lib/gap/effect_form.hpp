@@ -54,6 +54,24 @@ constexpr bool is_delay(Effect effect) {
          effect == Effect::kFeedSpeedDelay;
 }
 
+/// Is its law a plain one, whose form may have a second part that bends it? No machine has just these laws.
+constexpr bool bends(Effect effect) {
+  switch (effect) {
+    case Effect::kSpindleWindage:
+    case Effect::kContactSpeedDependence:
+    case Effect::kContactChipLoadDependence:
+    case Effect::kContactTemperatureDependence:
+    case Effect::kToolWearRamp:
+    case Effect::kTorqueConstantSaturation:
+    case Effect::kFeedCuttingSpeedDependence:
+    case Effect::kFeedContactDrift:
+    case Effect::kFeedForceSaturation:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// Can the effect act in one direction only? Friction brakes, a lag lags, a play is not negative.
 constexpr bool acts_one_way(Effect effect) {
   switch (effect) {

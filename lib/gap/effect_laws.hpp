@@ -137,6 +137,30 @@ Real force(const EffectForm& form, int part, const EffectSignals<Real>& s, const
   }
 }
 
+/// How much the second part of a law that bends is of the first: 0 at the reference point or at none of its
+/// cause.
+template <class Real>
+Real bend(const EffectForm& form, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  const auto square = [](Real ratio) { return ratio * ratio; };
+  switch (form.effect) {
+    case Effect::kContactChipLoadDependence:
+      return s.chip_load_mm / k.chip_load_mm - Real(1);
+    case Effect::kContactTemperatureDependence:
+      return (s.tool_degc - k.tool_degc) * Real(0.01);
+    case Effect::kToolWearRamp:
+    case Effect::kFeedContactDrift:
+      return s.cutting_time_s * Real(0.1);
+    case Effect::kTorqueConstantSaturation:
+      return square(s.current_a / k.current_a);
+    case Effect::kFeedForceSaturation:
+      return square(s.feed_force_n / k.feed_force_n);
+    default:
+      if (form.effect == Effect::kFeedCuttingSpeedDependence && form.kind == 1)
+        return math::abs(s.feed_speed_m_s) / k.feed_speed_m_s - Real(1);
+      return math::abs(s.speed_rad_s) / k.speed_rad_s - Real(1);
+  }
+}
+
 /// What the spindle's speed sensor shows too much, in rad/s.
 template <class Real>
 Real speed_error(const EffectForm& form, int part, const EffectSignals<Real>& s) {

@@ -72,7 +72,7 @@ inline AppliedEffect applied(Effect effect, double size, const EffectScales<doub
 }
 
 /// The number that an engineer would state for it: amplitude where there are sine and cosine, stiffness of
-/// the shaft from its resonance and its inertia ratio.
+/// the shaft from its resonance and its inertia ratio, slope where a law begins to bend.
 inline double size_of(const AppliedEffect& one, const EffectScales<double>& scales) {
   const auto shape = static_cast<double>(one.form.shape);
   if (size_is_shape(one.form.effect)) return shape;
@@ -81,7 +81,7 @@ inline double size_of(const AppliedEffect& one, const EffectScales<double>& scal
     const double ratio = one.coefficient[0];
     return frequency_rad_s * frequency_rad_s * scales.inertia_kgm2 * ratio / ((1.0 + ratio) * (1.0 + ratio));
   }
-  if (one.form.parts == 1) return one.coefficient[0];
+  if (one.form.parts == 1 || bends(one.form.effect)) return one.coefficient[0];
   double power = 0.0;
   for (std::size_t i = 0; i < one.form.parts; ++i) power += one.coefficient[i] * one.coefficient[i];
   return math::sqrt(power);
@@ -92,6 +92,8 @@ inline double size_of(const AppliedEffect& one, const EffectScales<double>& scal
 inline AppliedEffect restated(AppliedEffect one, const EffectScales<double>& from,
                               const EffectScales<double>& to) {
   const auto widen = [&one](double ratio) { one.form.shape *= static_cast<float>(ratio); };
+  const auto square = [](double ratio) { return ratio * ratio; };
+  const double bent = one.coefficient[1];
   switch (one.form.effect) {
     case Effect::kSpindleCoulombFriction:
     case Effect::kSpindleStribeckFriction:
@@ -103,6 +105,16 @@ inline AppliedEffect restated(AppliedEffect one, const EffectScales<double>& fro
       break;
     case Effect::kBrushVoltageDrop:
       widen(from.current_a / to.current_a);
+      break;
+    case Effect::kSpindleWindage:
+      one.coefficient[1] *= to.speed_rad_s / from.speed_rad_s;
+      one.coefficient[0] += one.coefficient[1] - bent;
+      break;
+    case Effect::kTorqueConstantSaturation:
+      one.coefficient[1] *= square(to.current_a / from.current_a);
+      break;
+    case Effect::kFeedForceSaturation:
+      one.coefficient[1] *= square(to.feed_force_n / from.feed_force_n);
       break;
     case Effect::kFeedAsymmetricFriction:
       one.coefficient[0] *= to.feed_speed_m_s / from.feed_speed_m_s;

@@ -80,8 +80,10 @@ class EffectTerm {
 
   /// Effects of one group never act elsewhere, but for those of the flux, which act on voltage and torque.
   Contribution<Real> by_law(const EffectSignals<Real>& s, const EffectScales<Real>& k) const {
-    if (form_.effect < Effect::kFeedCoulombFriction) return {.torque_nm = laws::torque(form_, part_, s, k)};
-    if (form_.effect < Effect::kBrushVoltageDrop) return {.force_n = laws::force(form_, part_, s, k)};
+    const Real part = part_ == 1 && bends(form_.effect) ? laws::bend(form_, s, k) : Real(1);
+    if (form_.effect < Effect::kFeedCoulombFriction)
+      return {.torque_nm = part * laws::torque(form_, part_, s, k)};
+    if (form_.effect < Effect::kBrushVoltageDrop) return {.force_n = part * laws::force(form_, part_, s, k)};
     if (form_.effect < Effect::kSpindleSpeedBias)
       return {.torque_nm = laws::torque(form_, part_, s, k), .voltage_v = laws::voltage(form_, s, k)};
     return {.speed_rad_s = laws::speed_error(form_, part_, s), .current_a = laws::current_error(form_, s)};

@@ -8,6 +8,7 @@
 #include "lib/gap/dry_friction.hpp"
 #include "sim_host/diagnose/candidate_forms.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
+#include "sim_host/diagnose/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -20,15 +21,13 @@ constexpr std::size_t kMostRivals = 3;
 constexpr std::size_t kMostTrials = 6;  // where those before them turn out to be worth nothing
 constexpr int kDuelRounds = 2;          // what a settled model needs to settle with one effect more or less
 constexpr std::size_t kMostEffects = 4;
-constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
-constexpr double kSharper = 2.0;     // deviance that another shape has to gain
-constexpr double kBent = 0.6;        // relative deviation of a parameter that no datasheet has
+constexpr double kBent = 0.6;  // relative deviation of a parameter that no datasheet has
 // Standard error over size. What is worth its evidence is known to a seventh; a size that is not known at all
 // let the parameters settle elsewhere, and that was its worth.
 constexpr double kVague = 0.5;
 constexpr double kLeastShareOfFamily = 0.08;
-// Some stretch at the end can always be explained a little better by something of its own.
-constexpr double kLeastShareOfLate = 0.05;
+// Beside an effect that the machine file states, with the shape that a recording has given it.
+constexpr double kLeastShareOfKnown = 0.01;
 
 /// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
 /// delay has no such beginning; it starts with the size that was found.
@@ -84,7 +83,8 @@ class Search {
 
   void run() {
     diagnosis_.known_evidence = evidence_of_known();
-    diagnosis_.least_evidence = std::max(diagnosis_.least_evidence, kLeastShare * diagnosis_.known_evidence);
+    diagnosis_.least_evidence =
+        std::max(diagnosis_.least_evidence, kLeastShareOfKnown * diagnosis_.known_evidence);
     while (diagnosis_.found.size() < kMostEffects && add_one()) {
     }
     if (prune() || diagnosis_.found.size() == kMostEffects) collect_rest();
@@ -168,8 +168,8 @@ class Search {
   Trial trial_of(const Candidate& rival) const {
     Trial trial{refined(fit_, rival), fit_};
     trial.fit = fitted_with(trial.candidate);
-    if (has_blurred_shape(rival.form.effect)) sharpen(trial.fit);
-    if (rival.onset_s > 0.0) place_onset(trial.fit);
+    if (has_blurred_shape(rival.form.effect)) sharpen_newest(trial.fit);
+    if (rival.onset_s > 0.0) place_onset_of_newest(trial.fit);
     trial.candidate.form = trial.fit.model().effects.back().form;
     return trial;
   }
@@ -239,49 +239,6 @@ class Search {
     return is_better_anew ? trials.back() : trials.front();
   }
 
-  /// The shape of the newest effect, once it acts in the model: before, the sensors' noise blurs it.
-  static void sharpen(AxisFit& trial) {
-    const float widest = trial.model().effects.back().form.shape;
-    bool has_changed = false;
-    AxisFit found = trial;
-    trial.narrow_down();
-    trial.refit();
-    for (const float factor : {0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}) {
-      for (;;) {
-        AxisFit other = trial;
-        float& shape = other.model().effects.back().form.shape;
-        shape *= factor;
-        if (shape < kNarrowest * widest || shape > widest) break;
-        other.refit();
-        if (!(other.unlikeliness() < trial.unlikeliness() - kSharper)) break;
-        trial = std::move(other);
-        has_changed = true;
-      }
-    }
-    trial.widen();
-    if (has_changed)
-      trial.polish();
-    else
-      trial = std::move(found);
-  }
-
-  /// When the newest effect sets in, to a hundredth of a block.
-  static void place_onset(AxisFit& trial) {
-    double& onset_s = trial.model().effects.back().onset_s;
-    double best = trial.unlikeliness_as_it_is();
-    for (double step_s = 0.5 * kBlockS; step_s > 0.01 * kBlockS; step_s *= 0.5)
-      for (const double sign : {-1.0, 1.0}) {
-        const double before_s = onset_s;
-        onset_s = std::max(before_s + sign * step_s, 0.0);
-        const double other = trial.unlikeliness_as_it_is();
-        if (other < best)
-          best = other;
-        else
-          onset_s = before_s;
-      }
-    trial.polish();
-  }
-
   static const AxisFit* fit_of(const std::vector<Trial>& trials, const Candidate& candidate) {
     for (const Trial& trial : trials)
       if (trial.candidate.form.effect == candidate.form.effect) return &trial.fit;
@@ -331,14 +288,13 @@ class Search {
   double enough_for(const Finding& finding) const {
     double enough = diagnosis_.least_evidence;
     const Family family = family_of(finding.effect.form.effect);
-    const double least_share = finding.effect.onset_s > 0.0 ? kLeastShareOfLate : kLeastShare;
     for (const Finding& other : diagnosis_.found) {
       const bool is_related = family != Family::kNone && family == family_of(other.effect.form.effect);
-      enough = std::max(enough, (is_related ? kLeastShareOfFamily : least_share) * other.evidence);
+      enough = std::max(enough, (is_related ? kLeastShareOfFamily : kLeastShare) * other.evidence);
     }
     for (const gap::AppliedEffect& known : fit_.model().known) {
       const bool is_related = family != Family::kNone && family == family_of(known.form.effect);
-      const double share = is_related ? kLeastShareOfFamily : least_share;
+      const double share = is_related ? kLeastShareOfFamily : kLeastShareOfKnown;
       enough = std::max(enough, share * diagnosis_.known_evidence);
     }
     return diagnosis_.needed(finding, enough);
@@ -382,7 +338,8 @@ double AxisDiagnosis::needed(const Finding& finding, double usual) const {
   for (const Plainer& pair : kPlainer) {
     if (pair.plain != finding.effect.form.effect) continue;
     for (const Finding& other : found)
-      if (other.effect.form.effect == pair.fine) return std::min(usual, pair.still_there);
+      if (other.effect.form.effect == pair.fine)
+        return std::max(std::min(usual, pair.still_there), kLeastShare * other.evidence);
   }
   return usual;
 }

@@ -1,5 +1,6 @@
 #include "sim_host/diagnose/axis_fit.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -155,7 +156,7 @@ void AxisFit::take(const Eigen::VectorXd& step) {
   take_sizes(step.tail(step.size() - parameters));
 }
 
-double AxisFit::relative_error_of(gap::Effect effect) const {
+std::optional<AxisFit::KnownSize> AxisFit::known_size_of(gap::Effect effect) const {
   auto column = static_cast<Eigen::Index>(parameter_count(axis_));
   for (const gap::AppliedEffect& one : model_.effects) {
     const auto parts = static_cast<Eigen::Index>(one.form.parts);
@@ -163,16 +164,27 @@ double AxisFit::relative_error_of(gap::Effect effect) const {
       column += parts;
       continue;
     }
-    if (column + parts > standard_error_.size()) return 0.0;
-    const double error = standard_error_.segment(column, parts).norm();
-    double size = 0.0;
-    for (Eigen::Index i = 0; i < parts; ++i)
-      size = std::hypot(size, one.coefficient[static_cast<std::size_t>(i)]);
-    return is_pure_shape(one.form) ? error
-           : size > 0.0            ? error / (std::sqrt(static_cast<double>(parts)) * size)
-                                   : 0.0;
+    if (column + parts > covariance_.cols()) return std::nullopt;
+    KnownSize known{.size = Eigen::VectorXd::Ones(parts),
+                    .covariance = covariance_.block(column, column, parts, parts)};
+    if (!is_pure_shape(one.form))
+      known.size = Eigen::Map<const Eigen::VectorXd>(one.coefficient.data(), parts);
+    return known;
   }
-  return 0.0;
+  return std::nullopt;
+}
+
+double AxisFit::relative_error_of(gap::Effect effect) const {
+  const auto known = known_size_of(effect);
+  if (!known) return 0.0;
+  const double square = known->size.dot(known->covariance.ldlt().solve(known->size));
+  return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0;
+}
+
+double AxisFit::relative_size_error_of(gap::Effect effect) const {
+  const auto known = known_size_of(effect);
+  if (!known || !gap::bends(effect)) return relative_error_of(effect);
+  return std::sqrt(known->covariance(0, 0)) / std::max(std::fabs(known->size(0)), 1.0e-300);
 }
 
 AxisFit::Trial AxisFit::tried() const {
@@ -193,7 +205,8 @@ bool AxisFit::improve(Trial& best) {
   const std::vector<Eigen::Index> active = all_columns(width - 1);
   const LinearFit solution = fit(best.moments, active, precision(width), target(width));
   const double unit = std::max(solution.rss / std::max(best.statistics.total_rows(), 1.0), 1.0e-12);
-  standard_error_ = (unit * solution.covariance.diagonal()).cwiseSqrt();
+  covariance_ = unit * solution.covariance;
+  standard_error_ = covariance_.diagonal().cwiseSqrt();
   const auto parameters = static_cast<Eigen::Index>(parameter_count(axis_));
   known_directions_ = directions_known(unit * solution.covariance.topLeftCorner(parameters, parameters),
                                        precision(width).head(parameters));

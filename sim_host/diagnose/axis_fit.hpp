@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,9 +62,11 @@ class AxisFit {
   /// Their standard errors, and the share of them that the recording does not tell (1: nothing known).
   [[nodiscard]] const Eigen::VectorXd& standard_error() const { return standard_error_; }
 
-  /// Standard error of the size of an effect that the model has, as a share of the size; 0 where it is not
-  /// known.
+  /// By how many times its standard error an effect of the model differs from none, all its parts together,
+  /// as one over it; 0 where it is not known.
   [[nodiscard]] double relative_error_of(gap::Effect effect) const;
+  /// Standard error of the size that is stated for it, as a share of the size; 0 where it is not known.
+  [[nodiscard]] double relative_size_error_of(gap::Effect effect) const;
 
   /// Combinations of parameters that the recording tells at least ten times better than a datasheet does.
   [[nodiscard]] int known_directions() const { return known_directions_; }
@@ -93,6 +96,13 @@ class AxisFit {
     double cost = 0.0;        ///< squares of the innovations and of the prior
     std::size_t damping = 0;  ///< that the next step begins with
   };
+  /// What the parts of an effect of the model are multiplied by, 1 where the shape is the size, and how well
+  /// they are known.
+  struct KnownSize {
+    Eigen::VectorXd size;
+    Eigen::MatrixXd covariance;
+  };
+  [[nodiscard]] std::optional<KnownSize> known_size_of(gap::Effect effect) const;
   [[nodiscard]] Trial tried() const;
   [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
   void look_at(std::vector<Stretch> stretches) {
@@ -118,6 +128,7 @@ class AxisFit {
   double least_noise_share_ = kUsualNoiseShare;
   double unlikeliness_ = kNone;
   int known_directions_ = 0;
+  Eigen::MatrixXd covariance_;  ///< of parameters and sizes
   Eigen::VectorXd standard_error_;
 };
 

@@ -18,7 +18,9 @@ constexpr std::size_t kMostNameless = 2;
 
 bool has_name(const EffectForm& form) { return gap::index_of(form.effect) < gap::kEffectCount; }
 
-void add(const EffectForm& form, MachineForms& forms) {
+/// Without its bend where only that has no room.
+void add(EffectForm form, MachineForms& forms) {
+  if (!forms.has_room(form) && gap::bends(form.effect)) form.parts = 1;
   if (forms.has_room(form)) forms.form[forms.count++] = form;
 }
 

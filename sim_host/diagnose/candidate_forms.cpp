@@ -22,6 +22,11 @@ class Forms {
       forms.push_back({.effect = effect, .kind = kind, .parts = parts, .shape = static_cast<float>(shape)});
   }
   void add(Effect effect, std::uint8_t parts = 1, std::uint8_t kind = 0) { add(effect, {0.0}, parts, kind); }
+  /// A plain law, and the same with a bend.
+  void add_bending(Effect effect, std::uint8_t kind = 0) {
+    add(effect, 1, kind);
+    add(effect, 2, kind);
+  }
 
   std::vector<gap::EffectForm> forms;
 
@@ -46,18 +51,18 @@ constexpr double kFastestResonance = 0.2;  // of the sampling rate
 void add_torques(Forms& forms, const RecordingSignals& signals) {
   forms.add(Effect::kSpindleCoulombFriction, {0.002, 0.01});
   forms.add(Effect::kSpindleStribeckFriction, {0.02, 0.06, 0.15});
-  forms.add(Effect::kSpindleWindage);
+  forms.add_bending(Effect::kSpindleWindage);
   forms.add(Effect::kSpindleCogging, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 18, 20, 24}, 2);
   if (signals.has(Channel::kContact)) {
     forms.add(Effect::kToothPassingTorque, 4);
-    forms.add(Effect::kContactSpeedDependence);
-    forms.add(Effect::kToolWearRamp);
-    if (varies(signals, Channel::kChipLoad)) forms.add(Effect::kContactChipLoadDependence);
-    if (varies(signals, Channel::kToolTemperature)) forms.add(Effect::kContactTemperatureDependence);
+    forms.add_bending(Effect::kContactSpeedDependence);
+    forms.add_bending(Effect::kToolWearRamp);
+    if (varies(signals, Channel::kChipLoad)) forms.add_bending(Effect::kContactChipLoadDependence);
+    if (varies(signals, Channel::kToolTemperature)) forms.add_bending(Effect::kContactTemperatureDependence);
   }
   if (varies(signals, Channel::kWindingTemperature)) forms.add(Effect::kViscousTemperatureDependence);
   if (varies(signals, Channel::kToolTemperature)) forms.add(Effect::kViscousTemperatureDependence, 1, 1);
-  if (signals.has(Channel::kArmatureCurrent)) forms.add(Effect::kTorqueConstantSaturation);
+  if (signals.has(Channel::kArmatureCurrent)) forms.add_bending(Effect::kTorqueConstantSaturation);
   // Faster resonances cannot be told from how the samples lie.
   for (const double frequency_hz : {60, 120, 240, 480, 960})
     if (frequency_hz < kFastestResonance * signals.rate_hz)
@@ -102,7 +107,7 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
   forms.add(Effect::kFeedForceOffset);
   if (model.machine.feed.screw_pitch_m > 0.0) forms.add(Effect::kFeedScrewPeriodic, 2);
   forms.add(Effect::kFeedSpring);
-  forms.add(Effect::kFeedForceSaturation);
+  forms.add_bending(Effect::kFeedForceSaturation);
   forms.add(Effect::kFeedDriveLag, {0.5 * step_s, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3, 6.4e-3, 1.28e-2});
   forms.add(Effect::kFeedBacklash, {1.0e-6, 3.0e-6, 1.0e-5, 3.0e-5, 1.0e-4, 3.0e-4}, 2);
   forms.add(Effect::kFeedPresliding, {2.0e-6, 1.0e-5, 5.0e-5, 2.0e-4, 1.0e-3});
@@ -110,10 +115,10 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
     forms.add(Effect::kFeedSpeedDelay, {0.5 * step_s, step_s, 2.0 * step_s, 4.0 * step_s, 8.0 * step_s,
                                         16.0 * step_s, 32.0 * step_s, 64.0 * step_s});
   if (!signals.has(Channel::kContact)) return;
-  forms.add(Effect::kFeedContactDrift);
-  forms.add(Effect::kFeedCuttingSpeedDependence, 1, 1);
+  forms.add_bending(Effect::kFeedContactDrift);
+  forms.add_bending(Effect::kFeedCuttingSpeedDependence, 1);
   if (!signals.has(Channel::kSpindleSpeed)) return;
-  forms.add(Effect::kFeedCuttingSpeedDependence, 1, 0);
+  forms.add_bending(Effect::kFeedCuttingSpeedDependence, 0);
   forms.add(Effect::kFeedToothPassingForce, 4);
 }
 

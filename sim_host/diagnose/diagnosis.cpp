@@ -33,9 +33,6 @@ namespace {
 using gap::Effect;
 
 constexpr double kUnseen = 60.0;  // structure that may hide in the noise
-// Of the excess. Shapes that are not the catalogue's leave up to a quarter, causes that are not in it leave
-// half and more.
-constexpr double kUnexplainedShare = 0.25;
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
 
 namespace morepro::host {
@@ -12,20 +13,26 @@ namespace {
 using gap::Effect;
 
 // No catalogue has exactly a machine's shapes: evidence that differs by this share of the best does not
-// decide.
-constexpr double kMisfit = 0.015;
+// decide. What stands in an alias set should hardly ever lack the truth; odds are as often right as they say.
+constexpr double kMisfitOfAliases = 0.015;
+constexpr double kMisfitOfOdds = 0.002;
 // Through the speed alone, what brakes the spindle and what takes from its voltage look nearly the same.
 constexpr double kMisfitOfOneSignal = 0.15;
 constexpr double kTwinShare = 0.4;
 constexpr double kShapeError = 0.01;  // of a size, from a shape that is not quite the machine's
 constexpr double kAliasOdds = 20.0;
 constexpr std::size_t kMostAliases = 3;
+// What the catalogue calls an alias is listed with this share of the best evidence: on a machine whose shape
+// is neither's it may be the truth.
+constexpr double kAliasShare = 0.4;
 // Three and more independent causes at once are rarer than one that has no name and looks like them: on
 // tests/blind half of the names are right then.
 constexpr std::size_t kUsualCauses = 2;
-constexpr double kCrowded = 0.6;
-// Of 59 names that nothing spoke against, two were a neighbour's whose shape fitted better (tests/blind).
-constexpr double kBestRecord = 0.97;
+constexpr double kCrowded = 0.5;
+// Beside structure without a name, which may be all there is: of 30 such names on tests/blind one was right.
+constexpr double kBesideUnexplained = 0.1;
+// Of 160 names that nothing spoke against, one was a neighbour's whose shape fitted better (tests/blind).
+constexpr double kBestRecord = 0.98;
 
 bool is_part_of_friction(Effect effect) {
   return effect == Effect::kFeedForceOffset || effect == Effect::kFeedAsymmetricFriction ||
@@ -62,30 +69,38 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
   EffectResult effect{.applied = finding.effect, .effect = finding.effect.form.effect};
   effect.evidence = std::max(finding.evidence, 0.0);
   const double best = finding.rivals.front().evidence;
-  const double misfit = is_one_signal_for_two(fit) ? kMisfitOfOneSignal : kMisfit;
-  const double temperature = std::max(context.temperature, misfit * best);
-  double sum = 1.0 + std::exp(-(best - context.threshold) / (2.0 * temperature));
+  const bool is_one_signal = is_one_signal_for_two(fit);
+  const auto temperature = [&](double misfit) {
+    return std::max(context.temperature, (is_one_signal ? kMisfitOfOneSignal : misfit) * best);
+  };
+  const double of_odds = 2.0 * temperature(kMisfitOfOdds);
+  const double indistinct = 2.0 * temperature(kMisfitOfAliases) * std::log(kAliasOdds);
+  const auto is_alias = [&](const Candidate& rival) {
+    return best - rival.evidence < indistinct ||
+           (gap::info_of(effect.effect).aliases.contains(rival.form.effect) &&
+            rival.evidence > kAliasShare * best);
+  };
+  double sum = 1.0 + std::exp(-(best - context.threshold) / of_odds);
   effect.alias_set = {effect.effect};
-  if (is_one_signal_for_two(fit))
+  if (is_one_signal)
     if (const auto twin = twin_of(finding)) effect.alias_set.push_back(*twin);
   for (const Candidate& rival : finding.rivals) {
     if (rival.form.effect == effect.effect) continue;
-    const double behind = std::max(best - rival.evidence, 0.0);
-    sum += std::exp(-behind / (2.0 * temperature));
+    sum += std::exp(-std::max(best - rival.evidence, 0.0) / of_odds);
     const bool is_listed = std::find(effect.alias_set.begin(), effect.alias_set.end(), rival.form.effect) !=
                            effect.alias_set.end();
-    if (behind < 2.0 * temperature * std::log(kAliasOdds) && !is_listed &&
-        effect.alias_set.size() < kMostAliases)
+    if (is_alias(rival) && !is_listed && effect.alias_set.size() < kMostAliases)
       effect.alias_set.push_back(rival.form.effect);
   }
   effect.confidence = kBestRecord * (1.0 - context.unnamed_share) / sum;
+  if (context.unnamed_share > kUnexplainedShare) effect.confidence *= kBesideUnexplained;
   if (context.causes > kUsualCauses) effect.confidence *= kCrowded;
   return effect;
 }
 
 // What blocks of time disagree on more than noise lets expect is in the temperature.
 double relative_size_error(const Finding& finding, const AxisFit& fit, double temperature) {
-  const double share = fit.relative_error_of(finding.effect.form.effect);
+  const double share = fit.relative_size_error_of(finding.effect.form.effect);
   const double by_evidence = 1.0 / std::sqrt(std::max(finding.evidence, 1.0));
   return std::hypot((share > 0.0 ? share : by_evidence) * std::sqrt(temperature), kShapeError);
 }

@@ -7,6 +7,10 @@
 
 namespace morepro::host {
 
+/// Of the excess: more than this without a name is unexplained. Shapes that are not the catalogue's leave up
+/// to a quarter, causes that are not in it leave half and more.
+inline constexpr double kUnexplainedShare = 0.25;
+
 /// What the name of an effect is judged by, beside the finding itself.
 struct NamingContext {
   double temperature = 1.0;    ///< of the axis, from the bootstrap

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "sim_host/diagnose/effect_naming.hpp"
@@ -27,6 +28,69 @@ TEST(Causes, OfFrictionAreOne) {
   EXPECT_EQ(causes({Effect::kFeedCoulombFriction, Effect::kFeedForceOffset, Effect::kFeedAsymmetricFriction}),
             1U);
   EXPECT_EQ(causes({Effect::kFeedCoulombFriction, Effect::kFeedForceOffset, Effect::kFeedSpring}), 2U);
+}
+
+/// A finding with rivals of this evidence, itself first.
+Finding finding_of(std::initializer_list<std::pair<Effect, double>> rivals) {
+  Finding finding;
+  for (const auto& [effect, evidence] : rivals) {
+    Candidate& rival = finding.rivals.emplace_back();
+    rival.form.effect = effect;
+    rival.evidence = rival.promised = evidence;
+  }
+  finding.effect.form = finding.rivals.front().form;
+  finding.evidence = finding.rivals.front().evidence;
+  return finding;
+}
+
+struct Naming : testing::Test {
+  const RecordingSignals signals;
+  const AxisFit fit{Axis::kFeed, signals, {}};
+
+  [[nodiscard]] EffectResult named(std::initializer_list<std::pair<Effect, double>> rivals,
+                                   double unnamed_share = 0.0, std::size_t causes = 1) const {
+    return named_effect(finding_of(rivals), fit,
+                        {.threshold = 40.0, .unnamed_share = unnamed_share, .causes = causes});
+  }
+};
+
+using Effects = std::vector<Effect>;
+
+TEST_F(Naming, IsSureWhereNothingSpeaksAgainstIt) {
+  const EffectResult alone = named({{Effect::kFeedSpring, 4000.0}, {Effect::kFeedForceOffset, 900.0}});
+  EXPECT_NEAR(alone.confidence, 0.98, 1.0e-6);
+  EXPECT_EQ(alone.alias_set, Effects{Effect::kFeedSpring});
+}
+
+TEST_F(Naming, SharesItsOddsWithWhatFitsAsWell) {
+  const EffectResult two = named({{Effect::kFeedSpring, 4000.0}, {Effect::kFeedForceOffset, 4000.0}});
+  EXPECT_NEAR(two.confidence, 0.49, 1.0e-6);
+  EXPECT_EQ(two.alias_set, (Effects{Effect::kFeedSpring, Effect::kFeedForceOffset}));
+}
+
+// 2 % of the evidence decides about odds, but not about what might be meant.
+TEST_F(Naming, ListsWhatAnotherShapeMightMake) {
+  const EffectResult close = named({{Effect::kFeedSpring, 4000.0}, {Effect::kFeedForceOffset, 3920.0}});
+  EXPECT_GT(close.confidence, 0.9);
+  EXPECT_EQ(close.alias_set, (Effects{Effect::kFeedSpring, Effect::kFeedForceOffset}));
+}
+
+// A bristle may be what makes dry friction, of a machine whose file knows neither.
+TEST_F(Naming, ListsTheCataloguesAliasesEarlier) {
+  EXPECT_EQ(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 2000.0}}).alias_set,
+            (Effects{Effect::kFeedPresliding, Effect::kFeedCoulombFriction}));
+  EXPECT_EQ(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 1200.0}}).alias_set,
+            Effects{Effect::kFeedPresliding});
+}
+
+TEST_F(Naming, IsHardlyBelievedBesideStructureWithoutAName) {
+  EXPECT_NEAR(named({{Effect::kFeedSpring, 4000.0}}, 0.2).confidence, 0.8 * 0.98, 1.0e-6);
+  EXPECT_NEAR(named({{Effect::kFeedSpring, 4000.0}}, 0.3).confidence, 0.07 * 0.98, 1.0e-6);
+}
+
+TEST_F(Naming, IsHalfBelievedAmongManyCauses) {
+  EXPECT_NEAR(named({{Effect::kFeedSpring, 4000.0}}, 0.0, 2).confidence, 0.98, 1.0e-6);
+  EXPECT_NEAR(named({{Effect::kFeedSpring, 4000.0}}, 0.0, 3).confidence, 0.49, 1.0e-6);
 }
 
 }  // namespace

@@ -137,6 +137,77 @@ TEST(AppliedEffect, FollowsTheEquationOfTheCatalogue) {
   }
 }
 
+TEST(AppliedEffect, BendsByItsSecondPart) {
+  const EffectSignals<double> s{.cutting_time_s = 4.0,
+                                .feed_force_n = 12.0,
+                                .contact = 1.0,
+                                .chip_load_mm = 0.06,
+                                .speed_rad_s = -300.0,
+                                .current_a = -4.0,
+                                .feed_speed_m_s = -0.009,
+                                .tool_degc = 450.0};
+  struct Bend {
+    Effect effect;
+    std::uint8_t kind;
+    double share;  ///< of the second part in the first
+  };
+  const double force = 12.0 / scales().feed_force_n;
+  const Bend bends_of[] = {
+      {Effect::kSpindleWindage, 0, 300.0 / 577.7 - 1.0},
+      {Effect::kContactSpeedDependence, 0, 300.0 / 577.7 - 1.0},
+      {Effect::kContactChipLoadDependence, 0, 0.2},
+      {Effect::kContactTemperatureDependence, 0, -0.5},
+      {Effect::kToolWearRamp, 0, 0.4},
+      {Effect::kTorqueConstantSaturation, 0, std::pow(4.0 / 2.2, 2)},
+      {Effect::kFeedCuttingSpeedDependence, 0, 300.0 / 577.7 - 1.0},
+      {Effect::kFeedCuttingSpeedDependence, 1, -0.5},
+      {Effect::kFeedContactDrift, 0, 0.4},
+      {Effect::kFeedForceSaturation, 0, force * force},
+  };
+  std::size_t effects = 0;
+  for (const EffectInfo& info : kEffects) effects += bends(info.effect) ? 1 : 0;
+  EXPECT_EQ(effects + 1, std::size(bends_of)) << "one of them has two kinds";
+  for (const auto& [effect, kind, share] : bends_of) {
+    AppliedEffect one = applied(effect, 2.0, scales());
+    one.form.kind = kind;
+    const Contribution<double> plain = after(one, s);
+    one.form.parts = 2;
+    one.coefficient[1] = 3.0;
+    EXPECT_EQ(size_of(one, scales()), 2.0) << name_of(effect);
+    const Contribution<double> bent = after(one, s);
+    const double wanted = (plain.torque_nm + plain.force_n) * (1.0 + 1.5 * share);
+    EXPECT_NE(wanted, 0.0);
+    EXPECT_NEAR(bent.torque_nm + bent.force_n, wanted, 1.0e-12 * std::fabs(wanted)) << name_of(effect);
+  }
+}
+
+// The file knows no reference point, the recording has one: what is found with one has to act the same when
+// it is stated with the other.
+TEST(EffectSize, OfABentLawIsTheSameLawAtAnotherReferencePoint) {
+  const EffectScales<double> other{reference_machine(),
+                                   {.speed_rad_s = 350.0,
+                                    .current_a = 3.1,
+                                    .feed_speed_m_s = 0.01,
+                                    .chip_load_mm = 0.05,
+                                    .tool_degc = 500,
+                                    .feed_force_n = 40.0}};
+  const EffectSignals<double> s{
+      .feed_force_n = 30.0, .contact = 1.0, .speed_rad_s = 500.0, .current_a = 2.5, .feed_speed_m_s = 0.02};
+  for (const Effect effect :
+       {Effect::kSpindleWindage, Effect::kTorqueConstantSaturation, Effect::kFeedForceSaturation}) {
+    const AppliedEffect one{.form = {.effect = effect, .parts = 2}, .coefficient = {2.0, 3.0}};
+    const auto acting = [&s](const AppliedEffect& applied, const EffectScales<double>& k) {
+      AppliedTerm<double, 8> term(applied, k, 1.0e-4);
+      Contribution<double> sum;
+      term.step(s, sum);
+      return sum.torque_nm + sum.force_n;
+    };
+    const double here = acting(one, scales());
+    EXPECT_NEAR(acting(restated(one, scales(), other), other), here, 1.0e-12 * std::fabs(here))
+        << name_of(effect);
+  }
+}
+
 TEST(AppliedEffect, HasItsSizeAtTheReferencePoint) {
   const EffectSignals<double> twice_as_fast{.contact = 1.0, .speed_rad_s = 2.0 * 577.7};
   EXPECT_NEAR(after(applied(Effect::kContactSpeedDependence, 0.1, scales()), twice_as_fast).torque_nm, -0.1,

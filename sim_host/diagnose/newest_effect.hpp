@@ -1,0 +1,13 @@
+#pragma once
+#include "sim_host/diagnose/axis_fit.hpp"
+
+namespace morepro::host {
+
+/// Searches for the shape of the model's newest effect, now that it acts in the model: before, the sensors'
+/// noise blurs it.
+void sharpen_newest(AxisFit& trial);
+
+/// Searches for when the newest effect sets in, to a hundredth of a block.
+void place_onset_of_newest(AxisFit& trial);
+
+}  // namespace morepro::host
