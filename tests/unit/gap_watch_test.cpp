@@ -255,6 +255,24 @@ TEST(GapWatch, AStretchThatIsAbandonedIsNotUsed) {
   EXPECT_EQ(watch.feed().statistics().rows(), 0U);
 }
 
+// What a PC compares a board with: every row of a recording, as of a board that has watched for long.
+TEST(GapWatch, ThatBeginsAnewUsesEveryWholeStretch) {
+  using Watch = GapWatch<float>;
+  auto watch = test::new_watch<float>(test::gap_configuration().machine, test::gap_settings());
+  GapFrame<float> frame;
+  frame.has_speed = frame.has_current = frame.has_feed_speed = true;
+  for (int stretch = 1; stretch <= 3; ++stretch) {
+    for (std::size_t k = 0; k < Watch::kStretch; ++k) watch.step(frame);
+    watch.begin_anew();
+    EXPECT_FALSE(watch.is_resting());
+    EXPECT_EQ(watch.spindle().statistics().rows(), stretch * Watch::kRowsOfStretch);
+    EXPECT_EQ(watch.feed().statistics().rows(), stretch * Watch::kRowsOfStretch);
+  }
+  for (std::size_t k = 0; k + 1 < Watch::kStretch; ++k) watch.step(frame);
+  watch.begin_anew();
+  EXPECT_EQ(watch.spindle().statistics().rows(), 3 * Watch::kRowsOfStretch) << "of a stretch that was cut";
+}
+
 TEST(GapWatch, KnowsTheGroupOfEveryEffect) {
   for (const EffectInfo& info : kEffects) EXPECT_EQ(group_of(info.effect), info.group) << info.name;
 }
