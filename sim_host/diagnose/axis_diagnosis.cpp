@@ -48,20 +48,22 @@ constexpr bool has_blurred_shape(gap::Effect effect) {
 struct Plainer {
   gap::Effect fine;
   gap::Effect plain;
-  double undecided;    ///< share of the finer one's evidence that the plain one needs
-  double still_there;  ///< evidence that the plain one needs beside the finer one, once it was found
+  double undecided;  ///< share of the finer one's evidence that the plain one needs
+  bool stays;        ///< beside the finer one, once it was found, whatever it is worth then
 };
-// 12: by chance once in a thousand. Friction that depends on the direction has two parts, one that grows with
-// the speed and one that does not; they are stated together.
+// Friction that depends on the direction has two parts, one that grows with the speed and one that does not;
+// they are stated together.
+constexpr Plainer kPlainer[] = {
+    {gap::Effect::kFeedStribeckFriction, gap::Effect::kFeedCoulombFriction, 0.75, false},
+    {gap::Effect::kFeedPresliding, gap::Effect::kFeedCoulombFriction, 0.8, false},
+    {gap::Effect::kSpindleStribeckFriction, gap::Effect::kSpindleCoulombFriction, 0.9, false},
+    {gap::Effect::kSpindleCogging, gap::Effect::kSpindleCoulombFriction, 0.7, false},
+    {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, true},
+};
+
+// Of other plain effects beside the finer one: by chance once in a thousand, and what its shape leaves.
 constexpr double kRarely = 12.0;
 constexpr double kAlways = -1.0e300;
-constexpr Plainer kPlainer[] = {
-    {gap::Effect::kFeedStribeckFriction, gap::Effect::kFeedCoulombFriction, 0.75, kRarely},
-    {gap::Effect::kFeedPresliding, gap::Effect::kFeedCoulombFriction, 0.8, kRarely},
-    {gap::Effect::kSpindleStribeckFriction, gap::Effect::kSpindleCoulombFriction, 0.9, kRarely},
-    {gap::Effect::kSpindleCogging, gap::Effect::kSpindleCoulombFriction, 0.7, kRarely},
-    {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, kAlways},
-};
 
 /// Deviance that an effect gains by chance: its coefficients', one for the shape that was looked for, and one
 /// for the onset.
@@ -339,7 +341,7 @@ double AxisDiagnosis::needed(const Finding& finding, double usual) const {
     if (pair.plain != finding.effect.form.effect) continue;
     for (const Finding& other : found)
       if (other.effect.form.effect == pair.fine)
-        return std::max(std::min(usual, pair.still_there), kLeastShare * other.evidence);
+        return pair.stays ? kAlways : std::min(usual, std::max(kRarely, kLeastShare * other.evidence));
   }
   return usual;
 }
