@@ -77,6 +77,25 @@ void print_line(std::string_view what, std::string_view text) {
   }
 }
 
+/// e of a law that bends (`gap::laws::bend`).
+std::string_view bend_of(gap::Effect effect) {
+  switch (effect) {
+    case gap::Effect::kContactChipLoadDependence:
+      return "CL/CL0 - 1";
+    case gap::Effect::kContactTemperatureDependence:
+      return "(T - T0)/100 K";
+    case gap::Effect::kToolWearRamp:
+    case gap::Effect::kFeedContactDrift:
+      return "t_cut/10 s";
+    case gap::Effect::kTorqueConstantSaturation:
+      return "(i/i0)^2";
+    case gap::Effect::kFeedForceSaturation:
+      return "(F1/F0)^2";
+    default:
+      return "|w|/w0 - 1";
+  }
+}
+
 void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
   const std::string aliases = aliases_of(info, ", ");
   const std::string reference = reference_text(reference_of(arguments));
@@ -84,6 +103,9 @@ void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
   print_line("acts on", name_of(info.group));
   print_line("size a in", info.unit);
   print_line("equation", info.equation);
+  if (gap::bends(info.effect))
+    print_line("bends", fmt::format("coefficients = [a, b] in a machine file: a becomes a + b e, e = {}",
+                                    bend_of(info.effect)));
   print_line("reference point", fmt::format("{} ({})", reference, arguments.machine));
   print_line("needs", info.excitation);
   print_line("looks like", aliases.empty() ? "no other" : aliases);

@@ -23,6 +23,11 @@ class Catalogue(ProgramTest):
             self.assertIn(part, text)
         self.assertIn("inverter dead time", self.must_do("effects", "brush_voltage_drop").stdout)
 
+    def test_says_how_a_plain_law_bends(self):
+        for name, bend in (("feed_force_saturation", "(F1/F0)^2"), ("spindle_windage", "|w|/w0 - 1")):
+            self.assertIn(f"a becomes a + b e, e = {bend}\n", self.must_do("effects", name).stdout)
+        self.assertNotIn("bends", self.must_do("effects", "drive_lag").stdout)
+
     def test_the_reference_point_is_the_machines(self):
         self.assertIn("93.6 rad/s", self.must_do("effects", "drive_lag", "--machine", "thesis").stdout)
 
@@ -114,9 +119,20 @@ class EffectsInMachineFiles(ProgramTest):
                          self.simulate("--machine", "plain.toml", "--effect", "feed_coulomb_friction=8",
                                        "--effect", "current_bias=1,from=0.1"))
 
+    def test_a_law_that_bends_is_simulated_so(self):
+        law = '[[effects]]\nname = "spindle_windage"\nsize = 2e-6\n'
+        runs = []
+        for name, bend in (("plain", ""), ("straight", "coefficients = [2e-6, 0]\n"),
+                           ("bent", "coefficients = [2e-6, 4e-6]\n")):
+            self.write(f"{name}.toml", GOOD + law + bend)
+            runs.append(self.simulate("--machine", f"{name}.toml"))
+        self.assertEqual(runs[0], runs[1])
+        self.assertNotEqual(runs[0], runs[2])
+
     def test_are_written_as_they_were_read(self):
         effects = ('\n[[effects]]\nname = "spindle_cogging"\nsize = 0.05\nshape = 12\ncoefficients = [0.03, 0.04]\n'
                    '\n[[effects]]\nname = "armature_reaction"\nsize = 0.001\nkind = 0\n'
+                   '\n[[effects]]\nname = "feed_contact_drift"\nsize = 5\ncoefficients = [5, 2]\n'
                    '\n[[effects]]\nname = "drive_lag"\nsize = 0.0012\nonset_s = 0.5\n')
         self.write("worn.toml", GOOD + effects)
         text = self.must_do("config", "--machine", "worn.toml").stdout
