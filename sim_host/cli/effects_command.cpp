@@ -90,7 +90,7 @@ std::string_view bend_of(gap::Effect effect) {
     case gap::Effect::kTorqueConstantSaturation:
       return "(i/i0)^2";
     case gap::Effect::kFeedForceSaturation:
-      return "(F1/F0)^2";
+      return "(F1/1 N)^2";
     default:
       return "|w|/w0 - 1";
   }

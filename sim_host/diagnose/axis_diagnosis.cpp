@@ -171,6 +171,7 @@ class Search {
     Trial trial{refined(fit_, rival), fit_};
     trial.fit = fitted_with(trial.candidate);
     if (has_blurred_shape(rival.form.effect)) sharpen_newest(trial.fit);
+    weigh_bend_of_newest(trial.fit);
     if (rival.onset_s > 0.0) place_onset_of_newest(trial.fit);
     trial.candidate.form = trial.fit.model().effects.back().form;
     return trial;

@@ -1,6 +1,7 @@
 #include "sim_host/diagnose/newest_effect.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace morepro::host {
@@ -34,6 +35,19 @@ void sharpen_newest(AxisFit& trial) {
     trial.polish();
   else
     trial = std::move(found);
+}
+
+void weigh_bend_of_newest(AxisFit& trial) {
+  AxisFit other = trial;
+  gap::EffectForm& form = other.model().effects.back().form;
+  if (!gap::bends(form.effect)) return;
+  const double price = std::log(static_cast<double>(trial.signals().rows) + 2.0);
+  const bool is_bent = form.parts > 1;
+  form.parts = is_bent ? 1 : 2;
+  other.model().effects.back().coefficient[1] = 0.0;
+  other.polish();
+  const double gain = trial.unlikeliness() - other.unlikeliness();
+  if (gain > (is_bent ? -price : price)) trial = std::move(other);
 }
 
 void place_onset_of_newest(AxisFit& trial) {

@@ -24,7 +24,7 @@ class Catalogue(ProgramTest):
         self.assertIn("inverter dead time", self.must_do("effects", "brush_voltage_drop").stdout)
 
     def test_says_how_a_plain_law_bends(self):
-        for name, bend in (("feed_force_saturation", "(F1/F0)^2"), ("spindle_windage", "|w|/w0 - 1")):
+        for name, bend in (("feed_force_saturation", "(F1/1 N)^2"), ("spindle_windage", "|w|/w0 - 1")):
             self.assertIn(f"a becomes a + b e, e = {bend}\n", self.must_do("effects", name).stdout)
         self.assertNotIn("bends", self.must_do("effects", "drive_lag").stdout)
 
