@@ -33,9 +33,11 @@ class BentLaw : public testing::TestWithParam<Law> {};
 // second effect. The bend of this size is as large as the law itself within what the recording shows.
 TEST_P(BentLaw, IsOneEffectWithItsBend) {
   const auto& [name, size, bend] = GetParam();
+  DiagnosisOptions options;
+  options.bootstrap_runs = 0;
   MachineDescription with_effects;
   const DiagnosisResult result = diagnose(record({.effects = {bent(name, size, bend)}, .duration_s = 5.0}),
-                                          datasheet(0.1), {.bootstrap_runs = 0}, with_effects);
+                                          datasheet(0.1), options, with_effects);
   ASSERT_EQ(result.which.size(), 1U) << said(result);
   const EffectResult& found = result.which.front();
   EXPECT_EQ(found.effect, name) << said(result);
