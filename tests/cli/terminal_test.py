@@ -80,14 +80,14 @@ class Progress(Terminal):
         self.assertNotIn(b"\n", shown)
 
     def test_the_line_is_gone_before_the_result_is_printed(self):
-        self.must_do("simulate", "--profile", "rich", "--duration", 4, "--effect", "brush_voltage_drop=1",
+        self.must_do("simulate", "--profile", "rich", "--duration", 20, "--effect", "brush_voltage_drop=1",
                      "--out", "run.csv")
         shown = self.in_one_terminal("diagnose", "run.csv")
         self.assertIn(b"diagnose: ", shown)  # slow enough to show progress at all
         self.assertRegex(shown, rb"\r\x1b\[Krecording ")
 
     def test_a_log_of_a_long_search_has_a_line_a_second_at_most(self):
-        self.must_do("simulate", "--profile", "rich", "--duration", 8, "--effect", "feed_coulomb_friction=6",
+        self.must_do("simulate", "--profile", "rich", "--duration", 20, "--effect", "feed_coulomb_friction=6",
                      "--datasheet-error", "0.1", "--machine-out", "sheet.toml", "--out", "run.csv")
         for command in ("identify", "diagnose"):
             start = time.monotonic()
