@@ -9,7 +9,7 @@
 namespace morepro::host {
 
 /// Of the evidence of everything that was found: what is worth less may be what shapes leave that are not
-/// quite the machine's. On tests/blind, 13 of 14 second names below it were not there.
+/// quite the machine's. On tests/blind, 11 of 12 second names of an axis below it were not there.
 inline constexpr double kLeastShare = 0.05;
 
 /// An effect that is in the model now, and what else would have done nearly as well in its place.

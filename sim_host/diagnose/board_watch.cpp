@@ -71,7 +71,7 @@ bool holds(const std::vector<gap::Effect>& effects, gap::Effect effect) {
 }
 
 // Of a stretch the last frames give rows. Watches that take turns, each of which begins a stretch as soon as
-// the others have had theirs, use nearly every row once; a board alone uses a fortieth of them.
+// the others have had theirs, use nearly every row once; a board alone uses one of ninety.
 constexpr std::size_t kShift = Watch::kRowsOfStretch;
 constexpr std::size_t kWatches = (Watch::kStretch + kShift - 1) / kShift;
 
