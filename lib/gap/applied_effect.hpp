@@ -35,6 +35,11 @@ struct Onset {
     if (!is_on) cutting_before_s = signals.cutting_time_s;
     return is_on;
   }
+  /// For a run that begins after it: `cutting_time_s_at` tells of any time how long the cut was before.
+  template <class CuttingTime>
+  void look_back(CuttingTime cutting_time_s_at) {
+    if (time_s > Real(0)) cutting_before_s = cutting_time_s_at(time_s);
+  }
   [[nodiscard]] EffectSignals<Real> since(const EffectSignals<Real>& signals) const {
     EffectSignals<Real> since = signals;
     since.cutting_time_s -= cutting_before_s;
@@ -54,6 +59,8 @@ class AppliedTerm {
       coefficient_[i] = static_cast<Real>(effect.coefficient[i]);
     }
   }
+
+  Onset<Real>& onset() { return onset_; }
 
   /// Adds what the effect contributes during one step.
   void step(const EffectSignals<Real>& signals, Contribution<Real>& sum) {

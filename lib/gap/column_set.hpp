@@ -39,12 +39,19 @@ class ColumnSet {
     if (applied_ + frictions_ == kMostApplied) return false;
     if (is_dry_friction(effect.form.effect)) {
       friction_[frictions_++] = {effect.form, static_cast<Real>(effect.coefficient[0]),
+                                 static_cast<Real>(effect.form.parts > 1 ? effect.coefficient[1] : 0.0),
                                  static_cast<Real>(effect.onset_s)};
       return true;
     }
     applied_is_sensor_[applied_] = is_in_sensor(effect.form.effect);
     applied_term_[applied_++] = AppliedTerm<Real, kDelaySteps>(effect, scales_, step_s_);
     return true;
+  }
+  /// Before a run that begins within a recording (`Onset::look_back`).
+  template <class CuttingTime>
+  void look_back(CuttingTime cutting_time_s_at) requires kHasOnsets {
+    for (std::size_t i = 0; i < applied_; ++i) applied_term_[i].onset().look_back(cutting_time_s_at);
+    for (std::size_t j = 0; j < terms_; ++j) onset_[j].look_back(cutting_time_s_at);
   }
   [[nodiscard]] std::size_t size() const { return terms_; }
   [[nodiscard]] const EffectScales<Real>& scales() const { return scales_; }

@@ -70,6 +70,7 @@ template <class Real>
 struct DryFriction {
   EffectForm form;
   Real size = 0;  ///< N m, N or V
+  Real bend = 0;  ///< likewise, of the second part
   Real onset_s = 0;
 
   [[nodiscard]] BrakedState state() const {
@@ -98,8 +99,9 @@ struct DryFriction {
 
  private:
   FrictionStep<Real> stribeck(Real value, Real width, Real range, Real yield) const {
-    const Real ratio = value / range;
-    return friction_step(value, width, size * yield * math::exp_of_nonpositive(-ratio * ratio));
+    Real left = size * laws::breakaway(value, range, 0);
+    if (bend != Real(0)) left += bend * laws::breakaway(value, range, 1);
+    return friction_step(value, width, left * yield);
   }
 };
 

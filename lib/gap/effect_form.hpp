@@ -57,6 +57,8 @@ constexpr bool is_delay(Effect effect) {
 /// Is its law a plain one, whose form may have a second part that bends it? No machine has just these laws.
 constexpr bool bends(Effect effect) {
   switch (effect) {
+    case Effect::kSpindleStribeckFriction:
+    case Effect::kFeedStribeckFriction:
     case Effect::kSpindleWindage:
     case Effect::kContactSpeedDependence:
     case Effect::kContactChipLoadDependence:
@@ -70,6 +72,11 @@ constexpr bool bends(Effect effect) {
     default:
       return false;
   }
+}
+
+/// Is it friction that is gone beyond a range of speeds?
+constexpr bool is_stribeck(Effect effect) {
+  return effect == Effect::kSpindleStribeckFriction || effect == Effect::kFeedStribeckFriction;
 }
 
 /// Can the effect act in one direction only? Friction brakes, a lag lags, a play is not negative.

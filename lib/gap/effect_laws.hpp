@@ -14,11 +14,16 @@ Real side(Real speed, Real width) {
   return math::tanh(speed / width);
 }
 
-/// Friction that is gone beyond a speed (Stribeck, with a Gaussian).
+/// What is left at a speed of friction that is gone beyond a range (Stribeck, with a Gaussian). Part 1, the
+/// bend: what is left of it if it is gone beyond three times the range; both are like the exponentials of
+/// other authors.
 template <class Real>
-Real breakaway(Real speed, Real width, Real range) {
-  const Real ratio = speed / range;
-  return side(speed, width) * math::exp_of_nonpositive(-ratio * ratio);
+Real breakaway(Real speed, Real range, int part) {
+  const auto left = [speed](Real within) {
+    const Real ratio = speed / within;
+    return math::exp_of_nonpositive(-ratio * ratio);
+  };
+  return part == 0 ? left(range) : left(Real(3) * range) - left(range);
 }
 
 /// Sine (part 0, 2, ..) or cosine (1, 3, ..) of the angle, twice the angle (parts 2 and 3), ..
@@ -46,7 +51,7 @@ Real torque(const EffectForm& form, int part, const EffectSignals<Real>& s, cons
     case Effect::kSpindleCoulombFriction:  // shape: share of the reference speed
       return -side(w, shape * k.speed_rad_s);
     case Effect::kSpindleStribeckFriction:  // shape: share of the reference speed
-      return -breakaway(w, static_cast<Real>(kSmoothShare) * k.speed_rad_s, shape * k.speed_rad_s);
+      return -spindle_side(s, k) * breakaway(w, shape * k.speed_rad_s, part);
     case Effect::kSpindleWindage:
       return -w * math::abs(w);
     case Effect::kSpindleCogging:  // shape: periods per revolution
@@ -114,7 +119,8 @@ Real force(const EffectForm& form, int part, const EffectSignals<Real>& s, const
     case Effect::kFeedViscousFriction:
       return -v;
     case Effect::kFeedStribeckFriction:  // shape: share of the reference speed
-      return -breakaway(v, static_cast<Real>(kFeedSmoothShare) * k.feed_speed_m_s, shape * k.feed_speed_m_s);
+      return -side(v, static_cast<Real>(kFeedSmoothShare) * k.feed_speed_m_s) *
+             breakaway(v, shape * k.feed_speed_m_s, part);
     case Effect::kFeedAsymmetricFriction:
       return -math::abs(v) / k.feed_speed_m_s;
     case Effect::kFeedForceOffset:
@@ -138,11 +144,14 @@ Real force(const EffectForm& form, int part, const EffectSignals<Real>& s, const
 }
 
 /// How much the second part of a law that bends is of the first: 0 at the reference point or at none of its
-/// cause.
+/// cause. The bend of Stribeck friction is in its law: it is still there where the first part is gone.
 template <class Real>
 Real bend(const EffectForm& form, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
   const auto square = [](Real ratio) { return ratio * ratio; };
   switch (form.effect) {
+    case Effect::kSpindleStribeckFriction:
+    case Effect::kFeedStribeckFriction:
+      return Real(1);
     case Effect::kContactChipLoadDependence:
       return s.chip_load_mm / k.chip_load_mm - Real(1);
     case Effect::kContactTemperatureDependence:

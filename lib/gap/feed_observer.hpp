@@ -53,6 +53,11 @@ class FeedObserver {
   /// The next frame is a new beginning, in the same place.
   void restart() { is_started_ = false; }
 
+  /// Positions count from there, not from the first one that is seen. Before the first frame.
+  void count_positions_from(Real origin_m) {
+    origin_m_ = origin_m;
+    has_origin_ = true;
+  }
   /// Rows of the frame's measurements, then on to the next frame. `spindle_speed_rad_s` and `angle_rad`: of
   /// the spindle, where they are known.
   void step(const GapFrame<Real>& frame, Real spindle_speed_rad_s, Real angle_rad, Rows& rows) {

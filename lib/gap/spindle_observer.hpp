@@ -66,6 +66,7 @@ class SpindleObserver {
   /// The first half of it: the rows of the frame's measurements.
   void see(const GapFrame<Real>& frame, Rows& rows) {
     rows.speed.is_measured = rows.current.is_measured = false;
+    if (frame.has_feed_speed) feed_speed_m_s_ = frame.feed_speed_m_s;
     if (!is_started_) return start(frame);
     if (frame.has_angle) angle_rad_ = frame.angle_rad;
     update(frame, rows);
@@ -201,6 +202,7 @@ class SpindleObserver {
     s.current_a = current_a;
     s.driven_speed_rad_s = driven_rad_s_;
     s.driven_current_a = driven_a_;
+    s.feed_speed_m_s = feed_speed_m_s_;
     s.tool_degc = frame.input.tool_temperature_degc;
     s.winding_degc = frame.winding_degc;
     return s;
@@ -219,6 +221,7 @@ class SpindleObserver {
   Real angle_rad_ = 0;
   Real driven_rad_s_ = 0;
   Real driven_a_ = 0;
+  Real feed_speed_m_s_ = 0;  ///< as last measured
   Contribution<Real> added_;
   Contribution<Real> shown_;
   bool is_started_ = false;

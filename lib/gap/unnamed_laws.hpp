@@ -10,14 +10,15 @@
 /// whatever it is. Of order one at the reference point, so that one threshold serves all.
 namespace morepro::gap::laws {
 
-inline constexpr std::uint8_t kUnnamedSpindleLaws = 22;
-inline constexpr std::uint8_t kUnnamedFeedLaws = 22;
+inline constexpr std::uint8_t kUnnamedSpindleLaws = 26;
+inline constexpr std::uint8_t kUnnamedFeedLaws = 23;
 inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis
 
 template <class Real>
 Real unnamed_spindle(std::uint8_t law, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
   const Real w = s.speed_rad_s / k.speed_rad_s;
   const Real i = s.current_a / k.current_a;
+  const Real v = s.feed_speed_m_s / k.feed_speed_m_s;
   const Real cut = s.contact;
   const Real hot = (s.winding_degc - k.winding_degc) * Real(0.02);
   switch (law) {
@@ -56,13 +57,21 @@ Real unnamed_spindle(std::uint8_t law, const EffectSignals<Real>& s, const Effec
     case 16:
       return cut * w * w;
     case 17:
-      return s.feed_speed_m_s / k.feed_speed_m_s * w;
+      return v * w;
     case 18:
       return hot * i;
     case 19:
       return hot * w;
     case 20:
       return cut * (s.tool_degc - k.tool_degc) * Real(0.01);
+    case 21:
+      return v;
+    case 22:
+      return v * math::abs(v);
+    case 23:
+      return s.feed_force_n / k.feed_force_n;
+    case 24:
+      return cut;
     default:
       return s.acceleration_rad_s2 * Real(1.0e-3);
   }
@@ -112,8 +121,10 @@ Real unnamed_feed(std::uint8_t law, const EffectSignals<Real>& s, const EffectSc
       return cut * w;
     case 13:
       return v * w;
+    case 14:
+      return w;
     default:
-      return bell(x, static_cast<int>(law) - 14);
+      return bell(x, static_cast<int>(law) - 15);
   }
 }
 

@@ -80,6 +80,10 @@ void print_line(std::string_view what, std::string_view text) {
 /// e of a law that bends (`gap::laws::bend`).
 std::string_view bend_of(gap::Effect effect) {
   switch (effect) {
+    case gap::Effect::kSpindleStribeckFriction:
+      return "exp(8 (w / shape w0)^2 / 9) - 1";
+    case gap::Effect::kFeedStribeckFriction:
+      return "exp(8 (v / shape v0)^2 / 9) - 1";
     case gap::Effect::kContactChipLoadDependence:
       return "CL/CL0 - 1";
     case gap::Effect::kContactTemperatureDependence:

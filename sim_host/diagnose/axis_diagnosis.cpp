@@ -39,8 +39,7 @@ gap::AppliedEffect beginning_of(const Candidate& candidate) {
 
 /// Where a noisy speed changes its sign all the time, the width in which friction does so looks too wide.
 constexpr bool has_blurred_shape(gap::Effect effect) {
-  return gap::is_dry_friction(effect) && effect != gap::Effect::kSpindleStribeckFriction &&
-         effect != gap::Effect::kFeedStribeckFriction;
+  return gap::is_dry_friction(effect) && !gap::is_stribeck(effect);
 }
 
 /// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the
@@ -171,8 +170,9 @@ class Search {
     Trial trial{refined(fit_, rival), fit_};
     trial.fit = fitted_with(trial.candidate);
     if (has_blurred_shape(rival.form.effect)) sharpen_newest(trial.fit);
-    weigh_bend_of_newest(trial.fit);
+    // A bend would do the work of a wrong onset.
     if (rival.onset_s > 0.0) place_onset_of_newest(trial.fit);
+    weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
     trial.candidate.form = trial.fit.model().effects.back().form;
     return trial;
   }
@@ -266,15 +266,22 @@ class Search {
       diagnosis_.found[i].effect = fit_.model().effects[i];
   }
 
-  /// How much each effect is worth beside the others. Without the only one it is the nominal model, which may
-  /// settle better from here than from the datasheet.
-  void weigh() {
+  /// The model without each of its effects. Beside that one the others' laws may have needed no bend.
+  std::vector<AxisFit> leave_one_out() const {
     std::vector<AxisFit> all_without(diagnosis_.found.size(), fit_);
-    in_parallel(all_without.size(), [&all_without](std::size_t i) {
+    in_parallel(all_without.size(), [&](std::size_t i) {
       auto& effects = all_without[i].model().effects;
       effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(i));
       all_without[i].settle(kDuelRounds);
+      for (std::size_t k = 0; k < effects.size(); ++k)
+        if (effects[k].form.parts == 1) weigh_bend(all_without[i], k);
     });
+    return all_without;
+  }
+
+  /// How much each effect is worth beside the others. Without the only one it is the nominal model, which may
+  /// settle better from here than from the datasheet.
+  void weigh(const std::vector<AxisFit>& all_without) {
     for (std::size_t i = 0; i < all_without.size(); ++i) {
       const AxisFit& without = all_without[i];
       const bool is_nominal = without.model().effects.empty();
@@ -307,14 +314,15 @@ class Search {
   bool prune() {
     bool has_changed = false;
     for (;; has_changed = true) {
-      weigh();
+      std::vector<AxisFit> all_without = leave_one_out();
+      weigh(all_without);
       if (diagnosis_.found.empty()) return has_changed;
       const auto lack = [this](const Finding& f) { return enough_for(f) - f.evidence; };
       const auto weakest =
           std::max_element(diagnosis_.found.begin(), diagnosis_.found.end(),
                            [&](const Finding& a, const Finding& b) { return lack(a) < lack(b); });
       if (!(lack(*weakest) > 0.0)) break;
-      fit_.model().effects.erase(fit_.model().effects.begin() + (weakest - diagnosis_.found.begin()));
+      fit_ = std::move(all_without[static_cast<std::size_t>(weakest - diagnosis_.found.begin())]);
       diagnosis_.found.erase(weakest);
       fit_.settle();
       if (diagnosis_.found.empty()) fit_ = diagnosis_.nominal;

@@ -110,22 +110,23 @@ void allow(float excitation, gap::GapLimits& limits) {
 }
 
 gap::GapFinding found_on_board(const RecordingSignals& signals, const MachineParameters& machine,
-                               gap::GapSettings& settings, bool is_excited) {
+                               const BoardSight& sight, gap::GapSettings& settings) {
   const auto new_watch = [&] {
     return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / signals.rate_hz,
                                    settings);
   };
   const std::vector<BoardFrame> frames = board_frames(signals, machine);
+  const auto since = static_cast<std::size_t>(sight.since_s * signals.rate_hz);
   std::array<std::unique_ptr<Watch>, kWatches> parts;
   in_parallel(kWatches, [&](std::size_t k) {
     parts[k] = new_watch();
-    show(frames, k * kShift, *parts[k]);
+    show(frames, since + k * kShift, *parts[k]);
     parts[k]->finish();
   });
   auto all = new_watch();
   for (const auto& part : parts) all->merge(*part);
   all->finish();
-  if (!is_excited) return all->finding();
+  if (!sight.is_excited) return all->finding();
   allow(all->spindle().evaluation().excitation(), settings.spindle);
   allow(all->feed().evaluation().excitation(), settings.feed);
   const auto judged = new_watch();
@@ -137,13 +138,14 @@ gap::GapFinding found_on_board(const RecordingSignals& signals, const MachinePar
 }  // namespace
 
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
-                               const MachineParameters& refitted, bool is_excited,
+                               const MachineParameters& refitted, const BoardSight& sight,
                                gap::GapSettings& settings) {
-  const gap::GapFinding first = found_on_board(signals, datasheet, settings, is_excited);
-  if (first.verdict != GapVerdict::kParameterError) return first;
-  const gap::GapFinding second = found_on_board(signals, refitted, settings, is_excited);
-  const bool has_found = second.verdict == GapVerdict::kEffect || second.verdict == GapVerdict::kUnexplained;
-  return has_found ? second : first;
+  const gap::GapFinding found = found_on_board(signals, refitted, sight, settings);
+  if (found.verdict != GapVerdict::kNoGap && found.verdict != GapVerdict::kParameterError) return found;
+  gap::GapFinding by_datasheet = found_on_board(signals, datasheet, sight, settings);
+  // What other values explain is no effect, whatever it looks like beside wrong ones.
+  if (by_datasheet.verdict != GapVerdict::kNoGap) by_datasheet.verdict = GapVerdict::kParameterError;
+  return by_datasheet;
 }
 
 bool agree(const gap::GapFinding& board, const DiagnosisResult& host) {

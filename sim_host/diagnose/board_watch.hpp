@@ -5,15 +5,20 @@
 
 namespace morepro::host {
 
+/// What of a recording a board is shown, and how it is to be judged.
+struct BoardSight {
+  double since_s = 0.0;     ///< what it has seen before has faded: a cause that sets in then is there always
+  bool is_excited = false;  ///< the recording tells causes apart; the least excitation that a name needs
+                            ///< becomes half of what it has, where that is less
+};
+
 /// What the board's own watch, in float, says about a recording of this machine with these settings. It looks
 /// at 27 ms out of every 1.13 s (at 10 kHz), which is little of a short recording: so the statistics of
 /// watches that begin a stretch as soon as they may are merged, as of a board that has seen the machine for
-/// so long that it has seen all of this. Where it says that values of the datasheet are wrong, it is given
-/// the `refitted` ones and looks again: an effect that it then finds is its answer. `is_excited`: the
-/// recording tells causes apart; the least excitation that a name needs becomes half of what it has, where
-/// that is less.
+/// so long that it has seen all of this. It is given the values that fit best without any effect, `refitted`;
+/// where it finds nothing beside them, those of the `datasheet`: what it finds then is that they are wrong.
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
-                               const MachineParameters& refitted, bool is_excited,
+                               const MachineParameters& refitted, const BoardSight& sight,
                                gap::GapSettings& settings);
 
 /// The same verdict; and where that names an effect, one side's first name is among the other side's aliases.

@@ -32,7 +32,7 @@ namespace {
 
 using gap::Effect;
 
-constexpr double kUnseen = 60.0;  // structure that may hide in the noise
+constexpr double kUnseen = 60.0;   // structure that may hide in the noise
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
 
@@ -56,6 +56,7 @@ class Diagnosis {
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     calm_temperatures(signals_);
+    follow_motion(signals_);
     datasheet_ = {.machine = machine_.configuration.machine,
                   .point = reference_point_for(machine_, signals_),
                   .noise = usual_noise(sensors)};
@@ -322,16 +323,41 @@ class Diagnosis {
   }
 
   void watch_like_a_board() {
-    const bool is_excited = result_.verdict != Verdict::kInsufficientExcitation;
+    const BoardSight sight{.since_s = first_onset_s(),
+                           .is_excited = result_.verdict != Verdict::kInsufficientExcitation};
     gap::GapSettings settings =
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
-    const MachineParameters refitted = machine_with_effects().configuration.machine;
-    result_.board = watch_on_board(signals_, machine_.configuration.machine, refitted, is_excited, settings);
+    result_.board =
+        watch_on_board(signals_, machine_.configuration.machine, refitted_machine(), sight, settings);
     result_.board_agrees = agree(result_.board, result_);
     result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
     for (gap::GapLimits* limits : {&result_.for_board.spindle, &result_.for_board.feed})
       limits->forms = stated_forms(limits->forms, recording_scales(), file_scales());
+  }
+
+  /// When the first effect sets in; 0: it is there from the start, as what has no name.
+  double first_onset_s() const {
+    if (result_.verdict != Verdict::kEffect) return 0.0;
+    double first = result_.duration_s;
+    for (const AxisOutcome& outcome : outcomes_)
+      for (const Finding& finding : outcome.diagnosis.found) first = std::min(first, finding.effect.onset_s);
+    return first < result_.duration_s ? first : 0.0;
+  }
+
+  /// With the values that fit best without any effect.
+  MachineParameters refitted_machine() const {
+    MachineParameters machine = machine_.configuration.machine;
+    for (const AxisOutcome& outcome : outcomes_) take_values(outcome.diagnosis.nominal, machine);
+    return machine;
+  }
+
+  static void take_values(const AxisFit& fit, MachineParameters& machine) {
+    const MachineParameters& fitted = fit.model().machine;
+    if (fit.axis() == Axis::kSpindle)
+      machine.spindle = fitted.spindle;
+    else
+      machine.feed = fitted.feed;
   }
 
   MachineDescription machine_with_effects() const {
@@ -340,11 +366,7 @@ class Diagnosis {
     for (const SettingKey& key : setting_keys())
       if (key.table == "gap") machine.stated.insert(full_name(key));
     for (const AxisOutcome& outcome : outcomes_) {
-      const MachineParameters& fitted = outcome.diagnosis.fit.model().machine;
-      if (outcome.diagnosis.fit.axis() == Axis::kSpindle)
-        machine.configuration.machine.spindle = fitted.spindle;
-      else
-        machine.configuration.machine.feed = fitted.feed;
+      take_values(outcome.diagnosis.fit, machine.configuration.machine);
       for (gap::AppliedEffect effect : outcome.diagnosis.fit.model().effects) {
         effect.onset_s = 0.0;  // of this recording; from now on the machine has it
         machine.effects.push_back(gap::restated(effect, recording_scales(), file_scales()));

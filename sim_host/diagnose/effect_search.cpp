@@ -56,6 +56,45 @@ void take_best(const AxisFit& axis, const GapStatistics& statistics,
   }
 }
 
+/// What grows with the cutting time grows from its onset on: its late column is no tail of the early one.
+bool grows(Effect effect) { return effect == Effect::kToolWearRamp || effect == Effect::kFeedContactDrift; }
+
+/// Tries onsets `step_s` apart, `count` on either side of the best one so far.
+void try_starts(const AxisFit& axis, const gap::EffectForm& form, double step_s, int count, LateStart& best) {
+  std::vector<double> onset_s;
+  for (int i = -count; i <= count; ++i)
+    if (const double start_s = best.onset_s + i * step_s; start_s >= 0.0) onset_s.push_back(start_s);
+  const std::vector<gap::EffectForm> forms(onset_s.size(), form);
+  const Eigen::MatrixXd moments = axis.collect_with_each({forms, onset_s}).total();
+  const Eigen::Index width = moments.cols();
+  if (width == 0) return;
+  const Remainder rest =
+      remainder(moments, axis.parameter_columns(), axis.precision(width), axis.target(width));
+  auto column = static_cast<Eigen::Index>(parameter_count(axis.axis()));
+  for (const double start_s : onset_s) {
+    Eigen::VectorXd coefficient;
+    const double rss = rest.rss - gain_of(rest, moments, column, form.parts, coefficient);
+    column += form.parts;
+    if (start_s == 0.0) best.rss_at_start = rss;
+    if (best.rss_without > 0.0 && !(rss < best.rss)) continue;
+    best.rss_without = rest.rss;
+    best.rss = rss;
+    best.onset_s = start_s;
+    best.coefficient = coefficient;
+  }
+}
+
+LateStart best_growing_start(const AxisFit& axis, gap::EffectForm form) {
+  constexpr int kCoarse = 12;
+  constexpr int kFine = 6;
+  const double duration_s = axis.signals().duration_s();
+  form.parts = 1;  // a bend would do the work of an onset
+  LateStart best;
+  try_starts(axis, form, duration_s / (kCoarse + 2), kCoarse, best);
+  if (best.onset_s > 0.0) try_starts(axis, form, duration_s / (kCoarse + 2) / (kFine + 1), kFine, best);
+  return best;
+}
+
 }  // namespace
 
 std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics& statistics,
@@ -99,9 +138,13 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
 void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vector<Candidate>& ranked) {
   const double rows = statistics.total_rows();
   for (Candidate& candidate : ranked) {
-    const LateStart start = best_start(axis, statistics, candidate.column, candidate.form.parts);
+    const bool is_growing = grows(candidate.form.effect);
+    if (is_growing && !(candidate.evidence > 0.0)) continue;
+    const LateStart start = is_growing ? best_growing_start(axis, candidate.form)
+                                       : best_start(axis, statistics, candidate.column, candidate.form.parts);
     if (!is_surely_late(start, rows)) continue;
     if (gap::acts_one_way(candidate.form.effect) && !(start.coefficient(0) > 0.0)) continue;
+    if (is_growing) candidate.form.parts = 1;
     const double evidence =
         evidence_of(start.rss_without, start.rss_without - start.rss, rows, candidate.form.parts + 2.0);
     if (!(evidence > candidate.evidence)) continue;

@@ -28,11 +28,14 @@ bool is_small(const GapModel& model, const Disturbances* disturbances) {
 
 /// Speed and angle of the spindle as its sensors show them: what the feed's effects need of it.
 struct SpindleMotion {
-  explicit SpindleMotion(double rate_hz) : period_s(1.0 / rate_hz) {}
+  explicit SpindleMotion(const RecordingSignals& signals)
+      : is_followed(!signals.turned_rad.empty()), period_s(1.0 / signals.rate_hz) {}
   void take(const gap::GapFrame<double>& frame) {
     if (frame.has_speed) speed_rad_s = frame.speed_rad_s;
-    angle_rad = frame.has_angle ? frame.angle_rad : angle_rad + speed_rad_s * period_s;
+    const bool is_told = frame.has_angle || is_followed;
+    angle_rad = is_told ? frame.angle_rad : angle_rad + speed_rad_s * period_s;
   }
+  bool is_followed;
   double period_s;
   double speed_rad_s = 0.0;
   double angle_rad = 0.0;
@@ -49,6 +52,7 @@ std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& 
                           disturbances->onset_s.empty() ? 0.0 : disturbances->onset_s[i]);
   for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
   for (const gap::AppliedEffect& effect : model.effects) observer->terms().apply(effect);
+  observer->terms().look_back([&signals](double time_s) { return signals.cutting_time_at(time_s); });
   return observer;
 }
 
@@ -86,8 +90,9 @@ void run_feed(const RecordingSignals& signals, const GapModel& model, const Dist
   const auto observer = make<Observer>(signals, model, disturbances);
   const auto rows = std::make_unique<typename Observer::Rows>();
   const std::size_t columns = disturbances != nullptr ? observer->columns() : 0;
+  observer->count_positions_from(signals.first_position_m());
   FrameSource frames(signals, model.machine, first);
-  SpindleMotion spindle(signals.rate_hz);
+  SpindleMotion spindle(signals);
   while (frames.row() < last) {
     Innovation innovation{.row = frames.row()};
     const auto frame = frames.next();
@@ -127,8 +132,7 @@ EffectTrace trace_effects(Axis axis, const RecordingSignals& signals, const GapM
   }
   using Observer = Feed<0, kMostApplied>;
   const std::shared_ptr<Observer> observer = make<Observer>(signals, model, nullptr);
-  return [observer, frames, rows = typename Observer::Rows{},
-          spindle = SpindleMotion(signals.rate_hz)]() mutable {
+  return [observer, frames, rows = typename Observer::Rows{}, spindle = SpindleMotion(signals)]() mutable {
     const auto frame = frames.next();
     spindle.take(frame);
     observer->step(frame, spindle.speed_rad_s, spindle.angle_rad, rows);

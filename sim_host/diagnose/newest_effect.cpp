@@ -37,14 +37,14 @@ void sharpen_newest(AxisFit& trial) {
     trial = std::move(found);
 }
 
-void weigh_bend_of_newest(AxisFit& trial) {
+void weigh_bend(AxisFit& trial, std::size_t index) {
+  if (!gap::bends(trial.model().effects[index].form.effect)) return;
   AxisFit other = trial;
-  gap::EffectForm& form = other.model().effects.back().form;
-  if (!gap::bends(form.effect)) return;
+  gap::EffectForm& form = other.model().effects[index].form;
   const double price = std::log(static_cast<double>(trial.signals().rows) + 2.0);
   const bool is_bent = form.parts > 1;
   form.parts = is_bent ? 1 : 2;
-  other.model().effects.back().coefficient[1] = 0.0;
+  other.model().effects[index].coefficient[1] = 0.0;
   other.polish();
   const double gain = trial.unlikeliness() - other.unlikeliness();
   if (gain > (is_bent ? -price : price)) trial = std::move(other);

@@ -28,7 +28,52 @@ std::vector<float> calm(const std::vector<float>& value, std::size_t reach) {
   return mean;
 }
 
+/// Integral of a held input before each row; where it is missing it stays as it was.
+std::vector<double> held_integral(const std::vector<float>& value, double rate_hz) {
+  std::vector<double> sums;
+  double sum = 0.0;
+  double last = 0.0;
+  for (const float sample : value) {
+    sums.push_back(sum);
+    if (!std::isnan(sample)) last = static_cast<double>(sample);
+    sum += last / rate_hz;
+  }
+  return sums;
+}
+
+/// Integral of a sampled speed up to each row, by trapezoids.
+std::vector<double> way(const std::vector<float>& speed, double rate_hz) {
+  std::vector<double> sums = held_integral(speed, rate_hz);
+  double first = std::nan("");
+  double last = 0.0;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (!std::isnan(speed[i])) last = static_cast<double>(speed[i]);
+    if (std::isnan(first) && !std::isnan(speed[i])) first = last;
+    if (!std::isnan(first)) sums[i] += 0.5 * (last - first) / rate_hz;
+  }
+  return sums;
+}
+
 }  // namespace
+
+double RecordingSignals::cutting_time_at(double time_s) const {
+  if (cutting_time_s.empty()) return 0.0;
+  const auto row = static_cast<std::size_t>(std::max(std::ceil(time_s * rate_hz) - 1.0, 0.0));
+  return cutting_time_s[std::min(row, cutting_time_s.size() - 1)];
+}
+
+double RecordingSignals::first_position_m() const {
+  for (const float sample : value[index_of(Channel::kFeedPosition)])
+    if (!std::isnan(sample)) return static_cast<double>(sample);
+  return 0.0;
+}
+
+void follow_motion(RecordingSignals& signals) {
+  if (!signals.has(Channel::kSpindleAngle))
+    signals.turned_rad = way(signals.value[index_of(Channel::kSpindleSpeed)], signals.rate_hz);
+  if (!signals.has(Channel::kFeedPosition))
+    signals.travelled_m = way(signals.value[index_of(Channel::kFeedSpeed)], signals.rate_hz);
+}
 
 void calm_temperatures(RecordingSignals& signals) {
   const auto reach = static_cast<std::size_t>(kCalmS * signals.rate_hz);
@@ -37,14 +82,7 @@ void calm_temperatures(RecordingSignals& signals) {
 }
 
 void count_cutting_time(RecordingSignals& signals) {
-  signals.cutting_time_s.clear();
-  double sum_s = 0.0;
-  double contact = 0.0;
-  for (const float value : signals.value[index_of(Channel::kContact)]) {
-    signals.cutting_time_s.push_back(sum_s);
-    if (!std::isnan(value)) contact = static_cast<double>(value);
-    sum_s += contact / signals.rate_hz;
-  }
+  signals.cutting_time_s = held_integral(signals.value[index_of(Channel::kContact)], signals.rate_hz);
 }
 
 RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
@@ -131,6 +169,8 @@ gap::GapFrame<double> FrameSource::next() {
   frame.has_angle = sampled(Channel::kSpindleAngle, frame.angle_rad);
   frame.has_feed_speed = sampled(Channel::kFeedSpeed, frame.feed_speed_m_s);
   frame.has_feed_position = sampled(Channel::kFeedPosition, frame.feed_position_m);
+  if (row_ < signals_.turned_rad.size()) frame.angle_rad = signals_.turned_rad[row_];
+  if (row_ < signals_.travelled_m.size()) frame.feed_position_m = signals_.travelled_m[row_];
   cutting_time_s_ += input_.contact / signals_.rate_hz;
   ++row_;
   return frame;

@@ -25,10 +25,16 @@ struct RecordingSignals {
   std::vector<float> calm_winding_degc;
 
   std::vector<double> cutting_time_s;  ///< before each row; empty without contact
+  /// Way and angle before each row, by the speeds; empty where a sensor shows them, or not followed.
+  std::vector<double> travelled_m;
+  std::vector<double> turned_rad;
 
   [[nodiscard]] bool has(Channel channel) const { return (recorded & bit_of(channel)) != 0; }
   [[nodiscard]] double duration_s() const { return static_cast<double>(rows) / rate_hz; }
   [[nodiscard]] double time_s(std::size_t row) const { return static_cast<double>(row) / rate_hz; }
+  [[nodiscard]] double cutting_time_at(double time_s) const;
+  /// The first position that was recorded; 0 without any.
+  [[nodiscard]] double first_position_m() const;
 };
 
 /// Rows [first, last) of a recording.
@@ -46,6 +52,10 @@ std::vector<Stretch> quarter_of(const RecordingSignals& signals);
 
 /// Fills in the cutting time.
 void count_cutting_time(RecordingSignals& signals);
+
+/// Fills in way and angle, which nothing but the speeds tells: a run that begins within the recording needs
+/// them.
+void follow_motion(RecordingSignals& signals);
 
 /// Every `factor`-th sample; inputs become their means over the longer intervals.
 RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor);

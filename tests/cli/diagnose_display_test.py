@@ -28,7 +28,7 @@ class Display(Diagnose):
         self.assertLess(contact[0]["p_value"], 1e-6)
 
     def test_progress_goes_to_stderr_and_can_be_switched_off(self):
-        self.simulate("--effect", "feed_force_offset=2", duration=10)
+        self.simulate("--effect", "feed_force_offset=2", duration=30)
         self.assertIn("diagnose: ", self.must_do("diagnose", "run.csv", "--bootstrap", 200).stderr)
         self.assertNotIn("diagnose: ", self.must_do("diagnose", "run.csv", "--bootstrap", 200, "--progress", "off").stderr)
 

@@ -152,7 +152,13 @@ TEST(AppliedEffect, BendsByItsSecondPart) {
     double share;  ///< of the second part in the first
   };
   const double force = 12.0 / scales().feed_force_n;
+  // What is gone beyond three times the range, over what is gone beyond the range itself.
+  const auto wider = [](double speed, double range) {
+    return std::expm1(8.0 / 9.0 * std::pow(speed / range, 2));
+  };
   const Bend bends_of[] = {
+      {Effect::kSpindleStribeckFriction, 0, wider(300.0, static_cast<double>(0.1F) * scales().speed_rad_s)},
+      {Effect::kFeedStribeckFriction, 0, wider(0.009, static_cast<double>(0.3F) * scales().feed_speed_m_s)},
       {Effect::kSpindleWindage, 0, 300.0 / 577.7 - 1.0},
       {Effect::kContactSpeedDependence, 0, 300.0 / 577.7 - 1.0},
       {Effect::kContactChipLoadDependence, 0, 0.2},
