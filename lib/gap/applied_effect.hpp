@@ -60,6 +60,7 @@ class AppliedTerm {
     }
   }
 
+  /// When it sets in.
   Onset<Real>& onset() { return onset_; }
 
   /// Adds what the effect contributes during one step.

@@ -2,6 +2,9 @@
 // names of other causes.
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "sim_host/diagnose/innovation_pass.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {
@@ -21,6 +24,21 @@ RecordingSignals with_crosstalk(float volts_per_m_s) {
     voltage[row] -= volts_per_m_s * held;
   }
   return signals;
+}
+
+// The speed of the feed, its product with the spindle's, and its force.
+TEST(Crosstalk, ReachesTheSpindlesLaws) {
+  const RecordingSignals signals = record({.duration_s = 1.0});
+  const std::vector<gap::EffectForm> forms{{.effect = Effect::kUnnamedVoltage, .kind = 21},
+                                           {.effect = Effect::kUnnamedTorque, .kind = 17},
+                                           {.effect = Effect::kUnnamedVoltage, .kind = 23}};
+  std::vector<double> squares(forms.size(), 0.0);
+  host::run_observer(host::Axis::kSpindle, signals, gap_model(datasheet(0.0), signals),
+                     host::Disturbances(forms), 0, signals.rows, [&](const host::Innovation& v) {
+                       const auto columns = v.columns.last(forms.size());
+                       for (std::size_t i = 0; i < forms.size(); ++i) squares[i] += columns[i] * columns[i];
+                     });
+  for (std::size_t i = 0; i < forms.size(); ++i) EXPECT_GT(squares[i], 0.0) << "form " << i;
 }
 
 TEST(Crosstalk, IsStructureWithoutAName) {
