@@ -64,12 +64,12 @@ class ColumnSet {
     return sum;
   }
 
-  /// A state after the dry friction of the model. `yield`: by how much a load of one changes it meanwhile.
-  FrictionStep<Real> rub(BrakedState state, Real value, Real yield, Real time_s) const {
+  /// A state after the dry friction of the model.
+  FrictionStep<Real> rub(const Braking<Real>& on, Real value) const {
     FrictionStep<Real> all{value, Real(1)};
     for (std::size_t i = 0; i < frictions_; ++i) {
-      if (friction_[i].state() != state || time_s < friction_[i].onset_s) continue;
-      const FrictionStep<Real> one = friction_[i].step(all.value, yield, scales_);
+      if (friction_[i].state() != on.state || on.time_s < friction_[i].onset_s) continue;
+      const FrictionStep<Real> one = friction_[i].step(all.value, on, scales_);
       all = {one.value, all.slope * one.slope};
     }
     return all;
@@ -77,9 +77,8 @@ class ColumnSet {
 
   /// The second half of a step's friction on a state that may turn in between: from `free`, where the rest of
   /// the step led to, from `start` and the `first` half.
-  FrictionStep<Real> rub_on(BrakedState state, Real start, FrictionStep<Real>& first, Real free, Real yield,
-                            Real time_s) const {
-    const FrictionStep<Real> last = rub(state, free, yield, time_s);
+  FrictionStep<Real> rub_on(const Braking<Real>& on, Real start, FrictionStep<Real>& first, Real free) const {
+    const FrictionStep<Real> last = rub(on, free);
     if constexpr (kMostApplied == 0)
       return last;
     else

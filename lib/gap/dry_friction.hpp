@@ -64,6 +64,23 @@ constexpr bool is_dry_friction(Effect effect) {
 /// State that a dry friction brakes.
 enum class BrakedState { kSpindleSpeed, kCurrent, kFeedSpeed };
 
+/// What a dry friction acts on in a step of a model.
+template <class Real>
+struct Braking {
+  BrakedState state = BrakedState::kSpindleSpeed;
+  Real yield = 0;     ///< by how much a load of one changes the state meanwhile
+  Real time_s = 0;    ///< of the recording, or since the start
+  Real variance = 0;  ///< of the state, where it is an estimate
+};
+
+/// The width within which friction changes its side, averaged over all that the state may be: tanh is nearly
+/// an error function, and the average of one over a normal distribution is a wider one.
+template <class Real>
+Real blurred(Real width, Real variance) {
+  constexpr Real kHalfPi = Real(1.5707963267948966);
+  return math::sqrt(width * width + kHalfPi * variance);
+}
+
 /// A dry friction of known size in a model; the laws are those of `laws::torque`, `laws::force` and
 /// `laws::voltage`.
 template <class Real>
@@ -78,30 +95,24 @@ struct DryFriction {
     return form.effect < Effect::kBrushVoltageDrop ? BrakedState::kFeedSpeed : BrakedState::kCurrent;
   }
 
-  /// `yield`: by how much a load of one changes the state in this step.
-  [[nodiscard]] FrictionStep<Real> step(Real value, Real yield, const EffectScales<Real>& k) const {
-    const Real shape = static_cast<Real>(form.shape);
-    switch (form.effect) {
-      case Effect::kSpindleStribeckFriction:
-        return stribeck(value, static_cast<Real>(laws::kSmoothShare) * k.speed_rad_s, shape * k.speed_rad_s,
-                        yield);
-      case Effect::kFeedStribeckFriction:
-        return stribeck(value, static_cast<Real>(laws::kFeedSmoothShare) * k.feed_speed_m_s,
-                        shape * k.feed_speed_m_s, yield);
-      case Effect::kFeedCoulombFriction:
-        return friction_step(value, shape * k.feed_speed_m_s, size * yield);
-      case Effect::kBrushVoltageDrop:
-        return friction_step(value, shape * k.current_a, size * yield);
-      default:
-        return friction_step(value, shape * k.speed_rad_s, size * yield);
-    }
+  [[nodiscard]] FrictionStep<Real> step(Real value, const Braking<Real>& on,
+                                        const EffectScales<Real>& k) const {
+    const Real reach = static_cast<Real>(form.shape) * reference(k);
+    if (is_stribeck(form.effect)) return stribeck(value, on, reach);
+    return friction_step(value, blurred(reach, on.variance), size * on.yield);
   }
 
  private:
-  FrictionStep<Real> stribeck(Real value, Real width, Real range, Real yield) const {
+  [[nodiscard]] Real reference(const EffectScales<Real>& k) const {
+    if (state() == BrakedState::kCurrent) return k.current_a;
+    return state() == BrakedState::kFeedSpeed ? k.feed_speed_m_s : k.speed_rad_s;
+  }
+
+  [[nodiscard]] FrictionStep<Real> stribeck(Real value, const Braking<Real>& on, Real range) const {
     Real left = size * laws::breakaway(value, range, 0);
     if (bend != Real(0)) left += bend * laws::breakaway(value, range, 1);
-    return friction_step(value, width, left * yield);
+    const Real width = static_cast<Real>(laws::stribeck_side(form.effect)) * range;
+    return friction_step(value, blurred(width, on.variance), left * on.yield);
   }
 };
 

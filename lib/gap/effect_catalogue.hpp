@@ -14,7 +14,7 @@ inline constexpr std::array<EffectInfo, kEffectCount> kEffects{
         SizeRange::kAnySign, "M = -a tanh(w / 0.002 w0)", "reversals, or slow running",
         "Slow running in both directions: friction keeps its size, viscous and current errors do not."},
     EffectInfo{Effect::kSpindleStribeckFriction, "spindle_stribeck_friction", EffectGroup::kSpindleTorque,
-               "N m", SizeRange::kAnySign, "M = -a tanh(w / 0.002 w0) exp(-(w / 0.1 w0)^2)",
+               "N m", SizeRange::kAnySign, "M = -a tanh(50 x) exp(-x^2), x = w / 0.1 w0",
                "starts, stops and slow reversals",
                "Several slow speeds below a tenth of the cutting speed, each held for some 0.1 s."},
     EffectInfo{
@@ -65,7 +65,7 @@ inline constexpr std::array<EffectInfo, kEffectCount> kEffects{
                SizeRange::kAnySign, "F = -a v", "feed speed varied",
                "Strokes at three speeds in both directions."},
     EffectInfo{Effect::kFeedStribeckFriction, "feed_stribeck_friction", EffectGroup::kFeedForce, "N",
-               SizeRange::kAnySign, "F = -a tanh(v / 0.01 v0) exp(-(v / 0.3 v0)^2)", "slow feed reversals",
+               SizeRange::kAnySign, "F = -a tanh(30 x) exp(-x^2), x = v / 0.3 v0", "slow feed reversals",
                "Strokes at three speeds, one of them below a tenth of the working feed.",
                Aliases(Effect::kFeedCoulombFriction)},
     EffectInfo{

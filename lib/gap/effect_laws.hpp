@@ -26,6 +26,18 @@ Real breakaway(Real speed, Real range, int part) {
   return part == 0 ? left(range) : left(Real(3) * range) - left(range);
 }
 
+/// Of the range of Stribeck friction, where it changes its side: a share of the range, so that a curve is the
+/// same whatever reference point its range is stated in.
+constexpr float stribeck_side(Effect effect) {
+  return effect == Effect::kSpindleStribeckFriction ? 0.02F : 1.0F / 30.0F;
+}
+
+/// Friction that is gone beyond a range of speeds.
+template <class Real>
+Real stribeck(Effect effect, Real speed, Real range, int part) {
+  return -side(speed, static_cast<Real>(stribeck_side(effect)) * range) * breakaway(speed, range, part);
+}
+
 /// Sine (part 0, 2, ..) or cosine (1, 3, ..) of the angle, twice the angle (parts 2 and 3), ..
 template <class Real>
 Real harmonic(Real angle_rad, int part) {
@@ -33,9 +45,8 @@ Real harmonic(Real angle_rad, int part) {
   return part % 2 == 0 ? math::sin(angle) : math::cos(angle);
 }
 
-// Of the reference speed: where friction changes its side.
+// Of the reference speed: where a load of the cut changes its side.
 inline constexpr float kSmoothShare = 0.002F;
-inline constexpr float kFeedSmoothShare = 0.01F;
 
 template <class Real>
 Real spindle_side(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
@@ -51,7 +62,7 @@ Real torque(const EffectForm& form, int part, const EffectSignals<Real>& s, cons
     case Effect::kSpindleCoulombFriction:  // shape: share of the reference speed
       return -side(w, shape * k.speed_rad_s);
     case Effect::kSpindleStribeckFriction:  // shape: share of the reference speed
-      return -spindle_side(s, k) * breakaway(w, shape * k.speed_rad_s, part);
+      return stribeck(form.effect, w, shape * k.speed_rad_s, part);
     case Effect::kSpindleWindage:
       return -w * math::abs(w);
     case Effect::kSpindleCogging:  // shape: periods per revolution
@@ -119,8 +130,7 @@ Real force(const EffectForm& form, int part, const EffectSignals<Real>& s, const
     case Effect::kFeedViscousFriction:
       return -v;
     case Effect::kFeedStribeckFriction:  // shape: share of the reference speed
-      return -side(v, static_cast<Real>(kFeedSmoothShare) * k.feed_speed_m_s) *
-             breakaway(v, shape * k.feed_speed_m_s, part);
+      return stribeck(form.effect, v, shape * k.feed_speed_m_s, part);
     case Effect::kFeedAsymmetricFriction:
       return -math::abs(v) / k.feed_speed_m_s;
     case Effect::kFeedForceOffset:

@@ -124,7 +124,8 @@ class FeedObserver {
     // Half of the friction before the rest and half of it after (Strang): right to second order, and a state
     // that sticks does so where it should.
     const Real yield = half * integral_.a11 / k.mass_kg;
-    const auto before = terms_.rub(BrakedState::kFeedSpeed, observer_.mean(1), yield, frame.time_s);
+    const Braking<Real> braking{BrakedState::kFeedSpeed, yield, frame.time_s, observer_.variance(1)};
+    const auto before = terms_.rub(braking, observer_.mean(1));
     const Real v = before.value;
     const Real cut_n = frame.input.contact * (contact_force_n_ * frame.input.engagement + contact_offset_n_);
     const Real rate = (frame.input.feed_force_n - k.feed_viscous_friction_ns_m * v - cut_n) / k.mass_kg;
@@ -134,7 +135,7 @@ class FeedObserver {
     added_ = terms_.applied(middle, false);
     const Real rate_added = added_.force_n / k.mass_kg;
     const Real free_m_s = v + dv + integral_.a11 * rate_added;
-    const auto after = terms_.rub(BrakedState::kFeedSpeed, free_m_s, yield, frame.time_s);
+    const auto after = terms_.rub(braking, free_m_s);
     const Real rubbed_m_s = v - observer_.mean(1) + after.value - free_m_s;
     added_.force_n += half * rubbed_m_s / yield;
     if (has_columns_)

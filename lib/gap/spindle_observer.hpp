@@ -118,8 +118,10 @@ class SpindleObserver {
     // that sticks does so where it should.
     const Real yield_w = half * step_s_ / k.inertia_kgm2;
     const Real yield_i = half * step_s_ / k.inductance_h;
-    const auto w0 = terms_.rub(BrakedState::kSpindleSpeed, observer_.mean(0), yield_w, frame.time_s);
-    auto i0 = terms_.rub(BrakedState::kCurrent, observer_.mean(1), yield_i, frame.time_s);
+    const Braking<Real> on_w{BrakedState::kSpindleSpeed, yield_w, frame.time_s, observer_.variance(0)};
+    const Braking<Real> on_i{BrakedState::kCurrent, yield_i, frame.time_s, observer_.variance(1)};
+    const auto w0 = terms_.rub(on_w, observer_.mean(0));
+    auto i0 = terms_.rub(on_i, observer_.mean(1));
     const PlantState<Real> x{w0.value, Real(0), i0.value};
     const auto linear = plant_.linearise(x, frame.input);
     const auto& step = exponential_of(linear.spindle_jacobian);
@@ -136,9 +138,8 @@ class SpindleObserver {
     const Real rate_i = added_.voltage_v / k.inductance_h;
     const Real free_w = x.speed_rad_s + dw + psi.a00 * rate_w + psi.a01 * rate_i;
     const Real free_i = x.current_a + di + psi.a10 * rate_w + psi.a11 * rate_i;
-    const auto w1 = terms_.rub(BrakedState::kSpindleSpeed, free_w, yield_w, frame.time_s);
-    const auto i1 =
-        terms_.rub_on(BrakedState::kCurrent, observer_.mean(1), i0, free_i, yield_i, frame.time_s);
+    const auto w1 = terms_.rub(on_w, free_w);
+    const auto i1 = terms_.rub_on(on_i, observer_.mean(1), i0, free_i);
     const Real rubbed_w = w0.value - observer_.mean(0) + w1.value - free_w;
     const Real rubbed_i = i0.value - observer_.mean(1) + i1.value - free_i;
     added_.torque_nm += half * rubbed_w / yield_w;

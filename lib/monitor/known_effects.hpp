@@ -161,9 +161,9 @@ class KnownEffects {
                                    float yield_v) const {
     using enum gap::BrakedState;
     const float t = time_s();
-    return {terms_.rub(kSpindleSpeed, x.speed_rad_s, yield_w, t).value,
-            terms_.rub(kFeedSpeed, x.feed_speed_m_s, yield_v, t).value,
-            terms_.rub(kCurrent, x.current_a, yield_i, t).value};
+    return {terms_.rub({kSpindleSpeed, yield_w, t}, x.speed_rad_s).value,
+            terms_.rub({kFeedSpeed, yield_v, t}, x.feed_speed_m_s).value,
+            terms_.rub({kCurrent, yield_i, t}, x.current_a).value};
   }
 
   /// Of the nominal machine over the interval; an axis whose input is not known goes on as it is.

@@ -42,6 +42,10 @@ constexpr bool has_blurred_shape(gap::Effect effect) {
   return gap::is_dry_friction(effect) && !gap::is_stribeck(effect);
 }
 
+// Shares of the shape that a linearisation shows.
+constexpr float kNoWider = 1.0F;
+constexpr float kAnyRange = 3.0F;
+
 /// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the
 /// recording says otherwise clearly.
 struct Plainer {
@@ -117,6 +121,9 @@ class Search {
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
+    // A bend would do the work of a wrong range, too.
+    if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect))
+      sharpen_newest(winner, kAnyRange);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     left_out_.push_back(ranked.front().form.effect);
     fit_ = std::move(winner);
@@ -169,7 +176,7 @@ class Search {
   Trial trial_of(const Candidate& rival) const {
     Trial trial{refined(fit_, rival), fit_};
     trial.fit = fitted_with(trial.candidate);
-    if (has_blurred_shape(rival.form.effect)) sharpen_newest(trial.fit);
+    if (has_blurred_shape(rival.form.effect)) sharpen_newest(trial.fit, kNoWider);
     // A bend would do the work of a wrong onset.
     if (rival.onset_s > 0.0) place_onset_of_newest(trial.fit);
     weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);

@@ -24,6 +24,9 @@ class AxisFit {
   /// there is takes a wrong mass for the better one.
   void allow_little_noise() { least_noise_share_ = kLittleNoiseShare; }
 
+  /// The least process noise that may be fitted, to begin with.
+  void expect_little_noise();
+
   /// From now on the fit sees a quarter of a long recording, or all of it again: how likely it is on the
   /// other is not known then.
   void narrow_down() { look_at(quarter_of(*signals_)); }

@@ -20,6 +20,26 @@ double first_share(double decay) {
   return std::fabs(decay) < 1.0e-3 ? 0.5 - decay / 12.0 : 1.0 / decay - 1.0 / std::expm1(decay);
 }
 
+/// Straight over short holes: a window needs all of its samples, and a recording that lacks one in thirty has
+/// few windows without a hole.
+RecordingSignals bridged(RecordingSignals signals) {
+  constexpr std::size_t kLongestHole = 8;
+  for (const Channel channel :
+       {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition}) {
+    auto& column = signals.value[index_of(channel)];
+    std::size_t last = column.size();  // that was measured
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      if (std::isnan(column[i])) continue;
+      if (last < i && i - last <= kLongestHole + 1)
+        for (std::size_t k = last + 1; k < i; ++k)
+          column[k] =
+              std::lerp(column[last], column[i], static_cast<float>(k - last) / static_cast<float>(i - last));
+      last = i;
+    }
+  }
+  return signals;
+}
+
 GapModel without_findings(GapModel model) {
   model.effects.clear();
   return model;
@@ -54,7 +74,7 @@ class Increments {
  public:
   explicit Increments(const AxisDiagnosis& diagnosis)
       : fit_(diagnosis.fit),
-        signals_(fit_.signals()),
+        signals_(bridged(fit_.signals())),
         machine_(fit_.model().machine),
         step_s_(1.0 / signals_.rate_hz),
         first_share_(first_share(step_s_ * machine_.spindle.resistance_ohm / machine_.spindle.inductance_h)) {
@@ -202,7 +222,7 @@ class Increments {
   }
 
   const AxisFit& fit_;
-  const RecordingSignals& signals_;
+  RecordingSignals signals_;
   const MachineParameters& machine_;
   double step_s_;
   double first_share_;

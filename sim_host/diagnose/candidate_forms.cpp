@@ -48,6 +48,11 @@ bool varies(const RecordingSignals& signals, Channel channel) {
 
 constexpr double kFastestResonance = 0.2;  // of the sampling rate
 
+// Of ball and lead screws, where the machine file knows none.
+constexpr std::initializer_list<double> kUsualPitchesM = {1.0e-3,  1.25e-3, 1.5e-3,  2.0e-3,  2.5e-3,
+                                                          3.0e-3,  4.0e-3,  5.0e-3,  6.0e-3,  8.0e-3,
+                                                          10.0e-3, 12.0e-3, 16.0e-3, 20.0e-3, 25.0e-3};
+
 void add_torques(Forms& forms, const RecordingSignals& signals) {
   forms.add(Effect::kSpindleCoulombFriction, {0.002, 0.01});
   forms.add(Effect::kSpindleStribeckFriction, {0.02, 0.06, 0.15});
@@ -105,7 +110,10 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
   forms.add(Effect::kFeedStribeckFriction, {0.05, 0.15, 0.4});
   forms.add(Effect::kFeedAsymmetricFriction);
   forms.add(Effect::kFeedForceOffset);
-  if (model.machine.feed.screw_pitch_m > 0.0) forms.add(Effect::kFeedScrewPeriodic, 2);
+  if (model.machine.feed.screw_pitch_m > 0.0)
+    forms.add(Effect::kFeedScrewPeriodic, 2);
+  else
+    forms.add(Effect::kFeedScrewPeriodic, kUsualPitchesM, 2);
   forms.add(Effect::kFeedSpring);
   forms.add_bending(Effect::kFeedForceSaturation);
   forms.add(Effect::kFeedDriveLag, {0.5 * step_s, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3, 6.4e-3, 1.28e-2});

@@ -21,6 +21,7 @@
 #include "sim_host/diagnose/reference_scales.hpp"
 #include "sim_host/diagnose/sampling_checks.hpp"
 #include "sim_host/diagnose/share_closed.hpp"
+#include "sim_host/diagnose/slow_motion.hpp"
 #include "sim_host/diagnose/unevaluated.hpp"
 #include "sim_host/diagnose/where.hpp"
 #include "sim_host/machine/setting_key.hpp"
@@ -43,16 +44,21 @@ bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescr
 
 class Diagnosis {
  public:
-  Diagnosis(RecordingSignals signals, const MachineDescription& machine, const DiagnosisOptions& options)
-      : signals_(std::move(signals)), machine_(machine), options_(options) {}
+  /// `signals`: of what was `recorded`, all or thinned.
+  Diagnosis(RecordingSignals signals, const RecordingSignals& recorded, const MachineDescription& machine,
+            const DiagnosisOptions& options)
+      : signals_(std::move(signals)), machine_(machine), options_(options) {
+    result_.rows = recorded.rows - recorded.missing_rows;
+    result_.rate_hz = recorded.rate_hz;
+    result_.duration_s = recorded.duration_s();
+    result_.missing_rows = recorded.missing_rows;
+  }
 
-  DiagnosisResult run(MachineDescription& with_effects) {
-    describe_recording();
+  void run() {
     Sensors sensors = machine_.configuration.sensors;
     for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
       result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
                                             kChannels[index_of(channel)].column));
-    thin_out();
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     calm_temperatures(signals_);
@@ -69,6 +75,22 @@ class Diagnosis {
     rank();
     measure();
     watch_like_a_board();
+  }
+
+  [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }
+
+  /// An axis that is known by its position alone, seen slowly; nothing where that would be another axis.
+  [[nodiscard]] std::optional<RecordingSignals> slow_motion() const {
+    const bool is_position_only = signals_.has(Channel::kFeedPosition) &&
+                                  !signals_.has(Channel::kFeedSpeed) && !signals_.has(Channel::kSpindleSpeed);
+    if (!is_position_only) return std::nullopt;
+    auto slow = slow_motion_of(signals_, machine_.configuration.machine.feed.mass_kg,
+                               machine_.configuration.sensors[Channel::kFeedPosition].noise);
+    if (slow && slow->rows < kFewestRows) slow.reset();
+    return slow;
+  }
+
+  DiagnosisResult take_result(MachineDescription& with_effects) {
     for (const AxisOutcome& outcome : outcomes_) options_.on_axis(outcome.diagnosis);
     with_effects = machine_with_effects();
     return std::move(result_);
@@ -83,23 +105,6 @@ class Diagnosis {
   }
   gap::EffectScales<double> recording_scales() const {
     return {machine_.configuration.machine, datasheet_.point};
-  }
-
-  void describe_recording() {
-    result_.rows = signals_.rows - signals_.missing_rows;
-    result_.rate_hz = signals_.rate_hz;
-    result_.duration_s = signals_.duration_s();
-    result_.missing_rows = signals_.missing_rows;
-  }
-
-  /// An axis that is known by its position alone: from one fast sample to the next it moves by little more
-  /// than the position's steps and what shakes it, and friction is seen over longer times.
-  void thin_out() {
-    constexpr double kFastEnoughHz = 200.0;
-    const bool is_position_only = signals_.has(Channel::kFeedPosition) &&
-                                  !signals_.has(Channel::kFeedSpeed) && !signals_.has(Channel::kSpindleSpeed);
-    const auto factor = static_cast<std::size_t>(signals_.rate_hz / kFastEnoughHz);
-    if (is_position_only && factor > 1) signals_ = thinned(signals_, factor);
   }
 
   /// Both axes report at once; what is told is how far the slower one is.
@@ -207,11 +212,8 @@ class Diagnosis {
     return "nothing moves enough in the recording to tell a single parameter";
   }
 
-  std::string too_short() const {
-    if (!signals_.is_thinned) return fmt::format("the recording is shorter than {} rows", kFewestRows);
-    return fmt::format(
-        "the recording is shorter than {:g} s, the least for an axis known by its position alone",
-        static_cast<double>(kFewestRows) / signals_.rate_hz);
+  static std::string too_short() {
+    return fmt::format("the recording is shorter than {} rows", kFewestRows);
   }
 
   /// Where a sensor's faults show most.
@@ -291,6 +293,7 @@ class Diagnosis {
   }
 
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
+    if (!balance.is_evaluated) return;
     for (const SamplingFault& fault : faults_)
       balance.is_significant |= balance.balance == balance_of(fault.channel);
     bool is_strongest = true;
@@ -388,9 +391,19 @@ class Diagnosis {
 
 }  // namespace
 
-DiagnosisResult diagnose(RecordingSignals signals, const MachineDescription& machine,
+DiagnosisResult diagnose(const RecordingSignals& signals, const MachineDescription& machine,
                          const DiagnosisOptions& options, MachineDescription& with_effects) {
-  return Diagnosis(std::move(signals), machine, options).run(with_effects);
+  Diagnosis diagnosis(signals, signals, machine, options);
+  diagnosis.run();
+  if (!diagnosis.is_unexplained()) return diagnosis.take_result(with_effects);
+  // What shakes a real axis has no name and hides its friction, which is seen over longer times.
+  auto slow = diagnosis.slow_motion();
+  if (!slow) return diagnosis.take_result(with_effects);
+  DiagnosisOptions quietly = options;
+  quietly.on_progress = [](double) {};
+  Diagnosis of_slow_motion(std::move(*slow), signals, machine, quietly);
+  of_slow_motion.run();
+  return (of_slow_motion.is_unexplained() ? diagnosis : of_slow_motion).take_result(with_effects);
 }
 
 }  // namespace morepro::host

@@ -23,7 +23,7 @@ struct DiagnosisOptions {
 /// Where the model of the machine is wrong in a recording, which effect explains it, and how far the gap
 /// shrinks with it. `with_effects` becomes the machine that was found: refitted parameters and effects. The
 /// same seed gives the same result.
-DiagnosisResult diagnose(RecordingSignals signals, const MachineDescription& machine,
+DiagnosisResult diagnose(const RecordingSignals& signals, const MachineDescription& machine,
                          const DiagnosisOptions& options, MachineDescription& with_effects);
 
 }  // namespace morepro::host

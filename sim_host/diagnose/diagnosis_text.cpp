@@ -89,7 +89,7 @@ std::string diagnosis_text(const DiagnosisResult& r) {
       where_text(r);
   const bool is_any_evaluated =
       std::any_of(r.where.begin(), r.where.end(), [](const BalanceResult& b) { return b.is_evaluated; });
-  if (!is_any_evaluated) return head;
+  if (!is_any_evaluated) return head + which_text(r);
   return head + which_text(r) + shrinkage_text(r) + parameter_text(r) +
          fmt::format("threshold   evidence {:.1f}, temperature {:.2f}, {} bootstrap runs\n",
                      r.threshold_evidence, r.temperature, r.bootstrap_runs);

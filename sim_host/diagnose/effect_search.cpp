@@ -11,8 +11,10 @@ namespace {
 
 using gap::Effect;
 
+/// Is there anything between the shapes that were tried? Periods are whole numbers, pitches are standard.
 bool has_shape(const gap::EffectForm& form) {
-  return form.shape > 0.0F && form.effect != Effect::kSpindleCogging;
+  return form.shape > 0.0F && form.effect != Effect::kSpindleCogging &&
+         form.effect != Effect::kFeedScrewPeriodic;
 }
 
 /// Of an effect that the machine file states there may be less, too.

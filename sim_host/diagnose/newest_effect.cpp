@@ -2,39 +2,72 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace morepro::host {
 namespace {
 
-constexpr float kNarrowest = 0.02F;  // share of the width that a linearisation shows
+constexpr float kNarrowest = 0.02F;  // share of the shape that a linearisation shows
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
+constexpr int kRounds = 2;
 
-}  // namespace
-
-void sharpen_newest(AxisFit& trial) {
-  const float widest = trial.model().effects.back().form.shape;
+/// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, factor)` makes one
+/// of the newest effect, or gives false where there is none. Was there any?
+template <class Vary>
+bool take_likelier(AxisFit& trial, std::initializer_list<float> factors, Vary vary) {
   bool has_changed = false;
-  AxisFit found = trial;
-  trial.narrow_down();
-  trial.refit();
-  for (const float factor : {0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}) {
+  for (const float factor : factors) {
     for (;;) {
       AxisFit other = trial;
-      float& shape = other.model().effects.back().form.shape;
-      shape *= factor;
-      if (shape < kNarrowest * widest || shape > widest) break;
+      if (!vary(other.model().effects.back(), factor)) break;
       other.refit();
       if (!(other.unlikeliness() < trial.unlikeliness() - kSharper)) break;
       trial = std::move(other);
       has_changed = true;
     }
   }
-  trial.widen();
-  if (has_changed)
-    trial.polish();
-  else
-    trial = std::move(found);
+  return has_changed;
+}
+
+/// How sure a state is depends on the friction that holds it; no linearisation knows that, so that sizes are
+/// tried too.
+bool search_friction(AxisFit& trial, float seen, float widest_share) {
+  const auto reshape = [seen, widest_share](gap::AppliedEffect& effect, float factor) {
+    effect.form.shape *= factor;
+    return effect.form.shape >= kNarrowest * seen && effect.form.shape <= widest_share * seen;
+  };
+  const auto resize = [](gap::AppliedEffect& effect, float factor) {
+    for (double& part : effect.coefficient) part *= static_cast<double>(factor);
+    return true;
+  };
+  trial.refit();
+  const bool has_shape = take_likelier(trial, {0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}, reshape);
+  const bool has_size = take_likelier(trial, {2.5F, 1.6F, 0.6F, 1.2F, 0.9F}, resize);
+  return has_shape || has_size;
+}
+
+}  // namespace
+
+// Process noise that was fitted to too little friction hides friction, and the other way round: one search
+// begins with what there is, the other with little noise.
+void sharpen_newest(AxisFit& trial, float widest_share) {
+  const float seen = trial.model().effects.back().form.shape;
+  AxisFit sharper = trial;
+  sharper.narrow_down();
+  AxisFit quiet = sharper;
+  quiet.expect_little_noise();
+  bool has_changed = search_friction(sharper, seen, widest_share);
+  search_friction(quiet, seen, widest_share);
+  for (AxisFit* fit : {&sharper, &quiet}) fit->settle(kRounds);
+  if (quiet.unlikeliness() < sharper.unlikeliness() - kSharper) {
+    sharper = std::move(quiet);
+    has_changed = true;
+  }
+  if (!has_changed) return;
+  sharper.widen();
+  sharper.polish();
+  trial = std::move(sharper);
 }
 
 void weigh_bend(AxisFit& trial, std::size_t index) {

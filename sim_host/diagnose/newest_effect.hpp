@@ -3,9 +3,9 @@
 
 namespace morepro::host {
 
-/// Searches for the shape of the model's newest effect, now that it acts in the model: before, the sensors'
-/// noise blurs it.
-void sharpen_newest(AxisFit& trial);
+/// Searches for shape and size of the model's newest effect, a dry friction, now that it acts in the model:
+/// before, the sensors' noise blurs it. `widest_share` of the shape that it has is the most that it can be.
+void sharpen_newest(AxisFit& trial, float widest_share);
 
 /// Gives the law of one of the model's effects a bend, or takes it away, where that is more likely, as far as
 /// the law bends at all: a linearisation beside parameters that had to bend to what was missing does not

@@ -13,6 +13,10 @@ using gap::Effect;
 // Twice the reference point: profiles hardly go beyond it.
 constexpr double kBeyond = 2.0;
 
+double side_of(const gap::AppliedEffect& stribeck) {
+  return static_cast<double>(gap::laws::stribeck_side(stribeck.form.effect));
+}
+
 double rate_in_spindle(const gap::AppliedEffect& one, const gap::EffectScales<double>& k) {
   const double size = std::fabs(one.coefficient[0]);
   const double shape = static_cast<double>(one.form.shape);
@@ -21,6 +25,7 @@ double rate_in_spindle(const gap::AppliedEffect& one, const gap::EffectScales<do
     case Effect::kSpindleCoulombFriction:
       return size / (shape * k.speed_rad_s * k.inertia_kgm2);
     case Effect::kSpindleStribeckFriction:
+      return size / (side_of(one) * shape * k.speed_rad_s * k.inertia_kgm2);
     case Effect::kContactSpeedDependence:
     case Effect::kContactChipLoadDependence:
     case Effect::kContactTemperatureDependence:
@@ -47,7 +52,7 @@ double rate_in_feed(const gap::AppliedEffect& one, const gap::EffectScales<doubl
     case Effect::kFeedCoulombFriction:
       return size / (shape * k.feed_speed_m_s * k.mass_kg);
     case Effect::kFeedStribeckFriction:
-      return size / (0.01 * k.feed_speed_m_s * k.mass_kg);
+      return size / (side_of(one) * shape * k.feed_speed_m_s * k.mass_kg);
     case Effect::kFeedViscousFriction:
       return size / k.mass_kg;
     case Effect::kFeedAsymmetricFriction:

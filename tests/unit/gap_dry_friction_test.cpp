@@ -41,6 +41,27 @@ TEST(DryFriction, KnowsWhatIsLeftOfASmallDifference) {
     }
 }
 
+// A filter knows its state only so well: what friction does on average is what counts for its mean.
+TEST(DryFriction, OfAnUncertainStateIsItsAverage) {
+  constexpr double kLoss = 1.0e-3;  // small: the average changes little meanwhile
+  for (const double deviation : {0.05, 0.2, 1.0})
+    for (const double mean : {0.03, 0.2, 0.9}) {
+      double average = 0.0;
+      double weights = 0.0;
+      for (double z = -6.0; z <= 6.0; z += 0.01) {
+        const double weight = std::exp(-0.5 * z * z);
+        average += weight * std::tanh((mean + deviation * z) / kWidth);
+        weights += weight;
+      }
+      average /= weights;
+      const double width = blurred(kWidth, deviation * deviation);
+      const double loss = mean - friction_step(mean, width, kLoss).value;
+      // tanh and the error function with the same slope differ by 0.04 at most.
+      EXPECT_NEAR(loss / kLoss, average, 0.04) << mean << " +- " << deviation;
+      EXPECT_GT(std::fabs(std::tanh(mean / kWidth) - average), deviation > kWidth ? 0.1 : 0.0);
+    }
+}
+
 /// x after a step in which `drive` moves it and friction takes `loss` at most, in small steps.
 double driven(double x, double drive, double loss) {
   constexpr int kSteps = 200000;

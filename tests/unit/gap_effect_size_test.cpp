@@ -187,6 +187,28 @@ TEST(AppliedEffect, BendsByItsSecondPart) {
   }
 }
 
+// Slow speeds are where friction of this sort changes its side.
+TEST(EffectSize, OfStribeckFrictionIsTheSameCurveAtAnotherReferencePoint) {
+  const EffectScales<double> other{reference_machine(), {.speed_rad_s = 350.0, .feed_speed_m_s = 0.005}};
+  for (const Effect effect : {Effect::kSpindleStribeckFriction, Effect::kFeedStribeckFriction}) {
+    AppliedEffect one = applied(effect, 2.0, scales());
+    one.form.parts = 2;
+    one.coefficient[1] = 0.7;
+    const AppliedEffect again = restated(one, scales(), other);
+    for (const double share : {-0.5, -0.01, 0.001, 0.004, 0.03, 0.2}) {
+      const EffectSignals<double> s{.speed_rad_s = share * scales().speed_rad_s,
+                                    .feed_speed_m_s = share * scales().feed_speed_m_s};
+      const Contribution<double> there = after(one, s);
+      AppliedTerm<double, 16> term(again, other, 1.0e-4);
+      Contribution<double> here;
+      term.step(s, here);
+      // The range is a float.
+      EXPECT_NEAR(here.torque_nm + here.force_n, there.torque_nm + there.force_n, 1.0e-6)
+          << name_of(effect) << " at " << share;
+    }
+  }
+}
+
 // The file knows no reference point, the recording has one: what is found with one has to act the same when
 // it is stated with the other.
 TEST(EffectSize, OfABentLawIsTheSameLawAtAnotherReferencePoint) {
