@@ -19,7 +19,8 @@ constexpr std::size_t kBins = 320;
 constexpr double kFirstDecade = 0.0;
 constexpr double kBinsPerDecade = 20.0;
 // By neighbours. The observer takes part of a jitter for a change of the state, which comes back with the
-// other sign: up to half of it. Where a law is wrong it is nearly all, of either sign.
+// other sign: up to half of it, or more where process noise was fitted to a large jitter. Where a law is wrong
+// it is nearly all, of either sign.
 constexpr double kMostShared = 0.3;
 constexpr double kLeastShared = -0.6;
 constexpr double kSizeError = 0.05;  // relative: between which two rates an instant lies is not recorded
@@ -211,20 +212,27 @@ Jitter best_jitter(const Evaluation& evaluation, double period_s) {
   return best;
 }
 
+struct Judged {
+  Evaluation evaluation;
+  Jitter jitter;
+};
+
 /// Process noise that was fitted without a jitter has taken part of it: less of it may be more likely with
 /// one.
-Jitter with_its_noise(std::span<const AxisFit* const> fits, Jitter best, double period_s) {
+Judged with_its_noise(std::span<const AxisFit* const> fits, Judged best, double period_s) {
   for (double share = 0.5; share > 0.01; share *= 0.5) {
-    const Jitter here = best_jitter(evaluate(fits, share), period_s);
-    if (!(here.unlikeliness < best.unlikeliness)) break;
-    best = here;
+    Evaluation here = evaluate(fits, share);
+    const Jitter jitter = best_jitter(here, period_s);
+    if (!(jitter.unlikeliness < best.jitter.unlikeliness)) break;
+    best = {std::move(here), jitter};
   }
   return best;
 }
 
-/// Of the sensor that tells most of the jitter.
-bool is_wrong_law(const Evaluation& evaluation, double jitter_s) {
-  const double jitter_s2 = jitter_s * jitter_s;
+/// What neighbours share of it, of the sensor that tells most of the jitter.
+double shared_by_neighbours(const Judged& judged) {
+  const auto& [evaluation, jitter] = judged;
+  const double jitter_s2 = jitter.size_s * jitter.size_s;
   double most = 0.0;
   double share = 0.0;
   for (std::size_t sensor = 0; sensor < evaluation.togetherness.size(); ++sensor) {
@@ -234,7 +242,7 @@ bool is_wrong_law(const Evaluation& evaluation, double jitter_s) {
     const Togetherness& t = evaluation.togetherness[sensor];
     share = t.shared / (jitter_s2 * t.per_s2);
   }
-  return share > kMostShared || share < kLeastShared;
+  return share;
 }
 
 /// By how much the size may change until the likelihood is that of one standard deviation, as a share.
@@ -251,14 +259,17 @@ double relative_error(const Evaluation& evaluation, const Jitter& jitter) {
 std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits) {
   if (fits.empty()) return std::nullopt;
   const double period_s = 1.0 / fits.front()->signals().rate_hz;
-  const Evaluation evaluation = evaluate(fits, 1.0);
-  const Jitter first = best_jitter(evaluation, period_s);
-  const double evidence = unlikeliness(evaluation, 0.0) - first.unlikeliness;
-  if (!(evidence > kLeastEvidence) || is_wrong_law(evaluation, first.size_s)) return std::nullopt;
-  const Jitter jitter = with_its_noise(fits, first, period_s);
-  const double error = std::hypot(relative_error(evaluation, first), kSizeError);
-  return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, jitter.size_s,
-                       error * jitter.size_s, evidence};
+  Evaluation evaluation = evaluate(fits, 1.0);
+  const Jitter best = best_jitter(evaluation, period_s);
+  const double evidence = unlikeliness(evaluation, 0.0) - best.unlikeliness;
+  const Judged first{std::move(evaluation), best};
+  if (!(evidence > kLeastEvidence) || shared_by_neighbours(first) > kMostShared) return std::nullopt;
+  const Judged last = with_its_noise(fits, first, period_s);
+  const double shared = shared_by_neighbours(last);
+  if (shared > kMostShared || shared < kLeastShared) return std::nullopt;
+  const double error = std::hypot(relative_error(first.evaluation, first.jitter), kSizeError);
+  return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, last.jitter.size_s,
+                       error * last.jitter.size_s, evidence};
 }
 
 }  // namespace morepro::host
