@@ -59,6 +59,8 @@ class Diagnosis {
     for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
       result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
                                             kChannels[index_of(channel)].column));
+    if (std::string lack = untested_effects(signals_, machine_); !lack.empty())
+      result_.notices.push_back(std::move(lack));
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     calm_temperatures(signals_);

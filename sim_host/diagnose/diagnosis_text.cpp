@@ -70,12 +70,16 @@ std::string shrinkage_text(const DiagnosisResult& r) {
          models_text("free run", r.shrinkage.free_run_nrmse);
 }
 
+std::string remark_on(const ParameterResult& p) {
+  if (p.reason.empty()) return "";
+  return (p.is_identifiable ? ", " : "  not identifiable: ") + p.reason;
+}
+
 std::string parameter_text(const DiagnosisResult& r) {
   std::string text = "parameters\n";
   for (const ParameterResult& p : r.parameters) {
-    text +=
-        fmt::format("  {:26}  datasheet {:11.5g}  refit {:11.5g} +- {:.2g}{}\n", p.name, p.datasheet, p.refit,
-                    p.standard_error, p.is_identifiable ? "" : "  not identifiable: " + p.reason);
+    text += fmt::format("  {:26}  datasheet {:11.5g}  refit {:11.5g} +- {:.2g}{}\n", p.name, p.datasheet,
+                        p.refit, p.standard_error, remark_on(p));
   }
   return text;
 }

@@ -1,12 +1,20 @@
 #include "sim_host/diagnose/parameter_report.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <string>
 
 namespace morepro::host {
 namespace {
 
 constexpr const char* kWithOffset =
     "only together with contact_offset_n, which is taken for the datasheet's; it needs different engagements";
+
+// Torque constant, friction and inertia have one common factor, which nothing but the contact torque fixes.
+constexpr std::size_t kOfTorque = 3;
+constexpr const char* kGivenContact = "as far as the contact torque of the machine file is right";
+constexpr double kOneMotor = 0.05;  // by which the two constants of a motor may differ
 
 struct Named {
   const char* name;
@@ -46,6 +54,18 @@ double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
   return fit.standard_error()(static_cast<Eigen::Index>(index)) * std::fabs(refit);
 }
 
+/// What a value that the recording tells rests on beside the recording.
+std::string assumption_of(const AxisFit& fit, std::size_t index) {
+  if (fit.axis() == Axis::kFeed) return index == 2 && !fit.tells_engaged_load() ? kWithOffset : "";
+  if (index >= kOfTorque) return "";
+  const auto& s = fit.model().machine.spindle;
+  const double ratio = s.torque_constant_nm_a / s.back_emf_constant_vs_rad;
+  const bool is_one_motor = std::fabs(ratio - 1.0) < kOneMotor;
+  if (index > 0 || is_one_motor) return kGivenContact;
+  return fmt::format("{}: it is {:.3g} times the back-EMF constant, and of one motor both are the same",
+                     kGivenContact, ratio);
+}
+
 }  // namespace
 
 std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
@@ -54,8 +74,7 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double error = standard_error_of(fit, i, all[i].refit);
     const bool is_told = error < kTold * std::fabs(all[i].refit) && all[i].refit != 0.0;
-    const bool is_load = fit.axis() == Axis::kFeed && i == 2;
-    const char* reason = !is_told ? all[i].advice : is_load && !fit.tells_engaged_load() ? kWithOffset : "";
+    const std::string reason = is_told ? assumption_of(fit, i) : all[i].advice;
     results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told, reason});
   }
   return results;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "lib/gap/effect_catalogue.hpp"
+
 namespace morepro::host {
 namespace {
 
@@ -46,6 +48,16 @@ std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& sign
   missing.need(Channel::kArmatureVoltage).need(Channel::kSpindleSpeed);
   if (balance == gap::Balance::kArmatureVoltage) missing.need(Channel::kArmatureCurrent);
   return missing.text();
+}
+
+std::string untested_effects(const RecordingSignals& signals, const MachineDescription& machine) {
+  const bool is_evaluated = why_not_evaluated(gap::Balance::kArmatureVoltage, signals, machine).empty();
+  if (!is_evaluated || signals.has(Channel::kWindingTemperature)) return "";
+  return fmt::format(
+      "{} is not recorded: {} and {} are not looked for, and other effects may stand in for them",
+      kChannels[index_of(Channel::kWindingTemperature)].column,
+      gap::name_of(gap::Effect::kResistanceTemperatureDrift),
+      gap::name_of(gap::Effect::kMagnetTemperatureDrift));
 }
 
 }  // namespace morepro::host

@@ -11,4 +11,7 @@ namespace morepro::host {
 std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& signals,
                               const MachineDescription& machine);
 
+/// Which effects cannot be looked for although their balance is evaluated, and why; empty: none.
+std::string untested_effects(const RecordingSignals& signals, const MachineDescription& machine);
+
 }  // namespace morepro::host
