@@ -27,7 +27,7 @@ inline constexpr std::array<EffectInfo, kEffectCount> kEffects{
                "A spindle angle sensor, or slow running: cogging follows the angle, a resonance stays at its "
                "frequency."},
     EffectInfo{Effect::kToothPassingTorque, "tooth_passing_torque", EffectGroup::kSpindleTorque, "N m",
-               SizeRange::kAnySign, "M = -Fc a sin(z th + phase), z teeth, and 2 z",
+               SizeRange::kAnySign, "M = -Fc a sin(z th + phase), z teeth, and 2 z; run-out: 1, 2",
                "cuts at more than one speed",
                "Cuts at two speeds: tooth passing follows the angle and needs contact, cogging does not."},
     EffectInfo{Effect::kContactSpeedDependence, "contact_speed_dependence", EffectGroup::kSpindleTorque,
@@ -83,7 +83,7 @@ inline constexpr std::array<EffectInfo, kEffectCount> kEffects{
                "N", SizeRange::kAnySign, "F = -Fc a (|w| / w0 - 1)", "speed varied in contact",
                "Spindle speed steps in contact at constant feed, and feed steps at constant spindle speed."},
     EffectInfo{Effect::kFeedToothPassingForce, "feed_tooth_passing_force", EffectGroup::kFeedForce, "N",
-               SizeRange::kAnySign, "F = -Fc a sin(z th + phase), z teeth, and 2 z",
+               SizeRange::kAnySign, "F = -Fc a sin(z th + phase), z teeth, and 2 z; run-out: 1, 2",
                "cuts at more than one speed",
                "Cuts at two spindle speeds, sampled at four times the tooth frequency or more."},
     EffectInfo{Effect::kFeedSpring, "feed_spring", EffectGroup::kFeedForce, "N/m", SizeRange::kAnySign,

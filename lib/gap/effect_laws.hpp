@@ -45,6 +45,13 @@ Real harmonic(Real angle_rad, int part) {
   return part % 2 == 0 ? math::sin(angle) : math::cos(angle);
 }
 
+/// A load that passes with the teeth; kind 1: run-out, by which one tooth cuts more than another.
+template <class Real>
+Real tooth_load(const EffectForm& form, int part, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  if (s.contact == Real(0)) return Real(0);
+  return s.contact * harmonic((form.kind == 0 ? k.teeth : Real(1)) * s.angle_rad, part);
+}
+
 // Of the reference speed: where a load of the cut changes its side.
 inline constexpr float kSmoothShare = 0.002F;
 
@@ -68,7 +75,7 @@ Real torque(const EffectForm& form, int part, const EffectSignals<Real>& s, cons
     case Effect::kSpindleCogging:  // shape: periods per revolution
       return -harmonic(shape * s.angle_rad, part);
     case Effect::kToothPassingTorque:
-      return s.contact == Real(0) ? Real(0) : -s.contact * harmonic(k.teeth * s.angle_rad, part);
+      return -tooth_load(form, part, s, k);
     case Effect::kContactSpeedDependence:
       return -s.contact * spindle_side(s, k) * (math::abs(w) / k.speed_rad_s - Real(1));
     case Effect::kContactChipLoadDependence:
@@ -141,7 +148,7 @@ Real force(const EffectForm& form, int part, const EffectSignals<Real>& s, const
       return -s.contact * (form.kind == 0 ? math::abs(s.speed_rad_s) / k.speed_rad_s - Real(1)
                                           : math::abs(v) / k.feed_speed_m_s - Real(1));
     case Effect::kFeedToothPassingForce:
-      return s.contact == Real(0) ? Real(0) : -s.contact * harmonic(k.teeth * s.angle_rad, part);
+      return -tooth_load(form, part, s, k);
     case Effect::kFeedSpring:
       return -s.feed_position_m;
     case Effect::kFeedContactDrift:

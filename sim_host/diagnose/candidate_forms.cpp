@@ -11,6 +11,15 @@ namespace {
 
 using gap::Effect;
 
+/// Has the model an effect in this kind of its law?
+bool has(const GapModel& model, Effect effect, std::uint8_t kind) {
+  const auto is_it = [=](const gap::AppliedEffect& one) {
+    return one.form.effect == effect && one.form.kind == kind;
+  };
+  return std::any_of(model.known.begin(), model.known.end(), is_it) ||
+         std::any_of(model.effects.begin(), model.effects.end(), is_it);
+}
+
 class Forms {
  public:
   explicit Forms(std::span<const Effect> excluded) : excluded_(excluded) {}
@@ -22,6 +31,13 @@ class Forms {
       forms.push_back({.effect = effect, .kind = kind, .parts = parts, .shape = static_cast<float>(shape)});
   }
   void add(Effect effect, std::uint8_t parts = 1, std::uint8_t kind = 0) { add(effect, {0.0}, parts, kind); }
+  /// A load that passes with the teeth, and where the model has it already, its run-out, which would be taken
+  /// for cogging.
+  void add_of_teeth(const GapModel& model, Effect effect) {
+    add(effect, 4);
+    if (has(model, effect, 0) && !has(model, effect, 1))
+      forms.push_back({.effect = effect, .kind = 1, .parts = 4});
+  }
   /// A plain law, and the same with a bend.
   void add_bending(Effect effect, std::uint8_t kind = 0) {
     add(effect, 1, kind);
@@ -53,13 +69,13 @@ constexpr std::initializer_list<double> kUsualPitchesM = {1.0e-3,  1.25e-3, 1.5e
                                                           3.0e-3,  4.0e-3,  5.0e-3,  6.0e-3,  8.0e-3,
                                                           10.0e-3, 12.0e-3, 16.0e-3, 20.0e-3, 25.0e-3};
 
-void add_torques(Forms& forms, const RecordingSignals& signals) {
+void add_torques(Forms& forms, const RecordingSignals& signals, const GapModel& model) {
   forms.add(Effect::kSpindleCoulombFriction, {0.002, 0.01});
   forms.add(Effect::kSpindleStribeckFriction, {0.02, 0.06, 0.15});
   forms.add_bending(Effect::kSpindleWindage);
   forms.add(Effect::kSpindleCogging, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 18, 20, 24}, 2);
   if (signals.has(Channel::kContact)) {
-    forms.add(Effect::kToothPassingTorque, 4);
+    forms.add_of_teeth(model, Effect::kToothPassingTorque);
     forms.add_bending(Effect::kContactSpeedDependence);
     forms.add_bending(Effect::kToolWearRamp);
     if (varies(signals, Channel::kChipLoad)) forms.add_bending(Effect::kContactChipLoadDependence);
@@ -127,7 +143,7 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
   forms.add_bending(Effect::kFeedCuttingSpeedDependence, 1);
   if (!signals.has(Channel::kSpindleSpeed)) return;
   forms.add_bending(Effect::kFeedCuttingSpeedDependence, 0);
-  forms.add(Effect::kFeedToothPassingForce, 4);
+  forms.add_of_teeth(model, Effect::kFeedToothPassingForce);
 }
 
 }  // namespace
@@ -139,7 +155,7 @@ std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& 
   if (axis == Axis::kFeed) {
     add_forces(forms, signals, model, step_s);
   } else {
-    add_torques(forms, signals);
+    add_torques(forms, signals, model);
     add_voltages(forms, signals, step_s);
     add_spindle_sensors(forms, signals, step_s);
   }

@@ -23,6 +23,7 @@ constexpr double kBinsPerDecade = 20.0;
 // wrong it is nearly all, of either sign.
 constexpr double kMostShared = 0.3;
 constexpr double kLeastShared = -0.6;
+constexpr double kLeastSharedAtFirst = -1.0;  // where process noise was fitted to a large jitter
 constexpr double kSizeError = 0.05;  // relative: between which two rates an instant lies is not recorded
 constexpr std::size_t kFewest = 400;
 
@@ -229,20 +230,27 @@ Judged with_its_noise(std::span<const AxisFit* const> fits, Judged best, double 
   return best;
 }
 
-/// What neighbours share of it, of the sensor that tells most of the jitter.
-double shared_by_neighbours(const Judged& judged) {
+/// What neighbours share of it, of the sensor that tells most of the jitter; and is there a sensor whose
+/// samples say that they were taken in time? All are taken by one clock.
+struct Doubt {
+  double shared = 0.0;
+  bool is_refuted = false;
+};
+
+Doubt doubt_about(const Judged& judged) {
   const auto& [evaluation, jitter] = judged;
   const double jitter_s2 = jitter.size_s * jitter.size_s;
+  Doubt doubt;
   double most = 0.0;
-  double share = 0.0;
   for (std::size_t sensor = 0; sensor < evaluation.togetherness.size(); ++sensor) {
     const double evidence = evidence_of(evaluation, sensor, jitter_s2);
+    doubt.is_refuted |= evidence < -kLeastEvidence;
     if (!(evidence > most)) continue;
     most = evidence;
     const Togetherness& t = evaluation.togetherness[sensor];
-    share = t.shared / (jitter_s2 * t.per_s2);
+    doubt.shared = t.shared / (jitter_s2 * t.per_s2);
   }
-  return share;
+  return doubt;
 }
 
 /// By how much the size may change until the likelihood is that of one standard deviation, as a share.
@@ -263,10 +271,12 @@ std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits) {
   const Jitter best = best_jitter(evaluation, period_s);
   const double evidence = unlikeliness(evaluation, 0.0) - best.unlikeliness;
   const Judged first{std::move(evaluation), best};
-  if (!(evidence > kLeastEvidence) || shared_by_neighbours(first) > kMostShared) return std::nullopt;
+  const double shared = doubt_about(first).shared;
+  if (!(evidence > kLeastEvidence) || shared > kMostShared || shared < kLeastSharedAtFirst)
+    return std::nullopt;
   const Judged last = with_its_noise(fits, first, period_s);
-  const double shared = shared_by_neighbours(last);
-  if (shared > kMostShared || shared < kLeastShared) return std::nullopt;
+  const Doubt doubt = doubt_about(last);
+  if (doubt.is_refuted || doubt.shared > kMostShared || doubt.shared < kLeastShared) return std::nullopt;
   const double error = std::hypot(relative_error(first.evaluation, first.jitter), kSizeError);
   return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, last.jitter.size_s,
                        error * last.jitter.size_s, evidence};

@@ -224,6 +224,12 @@ class Diagnosis {
     return channel == Channel::kSpindleSpeed ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
   }
 
+  /// Another sensor has the same fault, or an effect was found in two kinds of its law.
+  [[nodiscard]] bool is_named(Effect effect) const {
+    return std::any_of(result_.which.begin(), result_.which.end(),
+                       [effect](const EffectResult& e) { return e.effect == effect; });
+  }
+
   void rank() {
     if (result_.verdict == Verdict::kInsufficientExcitation) return;
     for (const SamplingFault& fault : faults_) {
@@ -232,13 +238,11 @@ class Diagnosis {
       effect.standard_error = fault.standard_error;
       effect.evidence = fault.evidence;
       effect.alias_set = {fault.effect};
-      if (std::none_of(result_.which.begin(), result_.which.end(),
-                       [&](const EffectResult& e) { return e.effect == fault.effect; }))
-        result_.which.push_back(effect);
+      if (!is_named(fault.effect)) result_.which.push_back(effect);
     }
     for (const AxisOutcome& outcome : outcomes_)
       for (const Finding& finding : outcome.diagnosis.found)
-        result_.which.push_back(effect_of(finding, outcome));
+        if (!is_named(finding.effect.form.effect)) result_.which.push_back(effect_of(finding, outcome));
     std::stable_sort(result_.which.begin(), result_.which.end(),
                      [](const EffectResult& a, const EffectResult& b) { return a.evidence > b.evidence; });
   }

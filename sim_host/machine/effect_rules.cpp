@@ -17,6 +17,8 @@ constexpr double kLongestDelayS = 0.04;
 
 int highest_kind(Effect effect) {
   switch (effect) {
+    case Effect::kToothPassingTorque:
+    case Effect::kFeedToothPassingForce:
     case Effect::kViscousTemperatureDependence:
     case Effect::kFeedCuttingSpeedDependence:
     case Effect::kArmatureReaction:

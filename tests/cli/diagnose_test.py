@@ -97,6 +97,43 @@ class Verdicts(Diagnose):
         found = {effect["effect"]: effect for effect in result["which"]}
         self.assertAlmostEqual(found["sample_dropout"]["magnitude"], 0.05, delta=0.01)
 
+    def test_lost_rows_do_not_hide_what_else_is_there(self):
+        self.simulate("--effect", "feed_force_offset=2")
+        lines = (self.folder / "run.csv").read_text().splitlines()
+        kept = [line for i, line in enumerate(lines) if i < 40 or i * 7919 % 25]
+        self.write("run.csv", "\n".join(kept) + "\n")
+        result = self.diagnose()
+        self.assertEqual(set(self.names(result)), {"sample_dropout", "feed_force_offset"})
+        for balance in result["where"]:
+            self.assertTrue(balance["evaluated"], balance)
+        shown = self.must_do("diagnose", "run.csv", "--bootstrap", 0).stdout
+        self.assertIn("feed_force_offset = ", shown)
+
+    def test_a_screw_of_unknown_pitch(self):
+        self.simulate("--effect", "feed_screw_periodic=4", "--machine-out", "sheet.toml")
+        sheet = (self.folder / "sheet.toml").read_text().splitlines()
+        self.write("sheet.toml", "\n".join(line for line in sheet if "screw_pitch_m" not in line) + "\n")
+        result = self.diagnose("--machine", "sheet.toml")
+        self.assertEqual(self.names(result), ["feed_screw_periodic"])
+        self.assertAlmostEqual(result["which"][0]["magnitude"], 4.0, delta=5 * result["which"][0]["standard_error"])
+
+    def test_says_what_the_scale_of_torques_rests_on(self):
+        self.simulate("--machine-out", "sheet.toml")
+        sheet = (self.folder / "sheet.toml").read_text()
+        self.write("softer.toml", sheet.replace("edge_force_n = 40", "edge_force_n = 32")
+                   .replace("chip_force_n_mm = 1600", "chip_force_n_mm = 1280"))
+        result = self.diagnose("--machine", "softer.toml")
+        self.assertEqual(result["verdict"], "parameter_error")
+        torque = {p["name"]: p for p in result["parameters"]}["torque_constant_nm_a"]
+        self.assertAlmostEqual(torque["refit"], 0.8 * 0.08, delta=0.002)
+        self.assertIn("0.8 times the back-EMF constant", torque["reason"])
+
+    def test_says_which_effects_need_a_temperature_that_is_not_recorded(self):
+        self.simulate(duration=2)
+        self.keep_columns(*SPINDLE, "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
+        done = self.must_do("diagnose", "part.csv", "--bootstrap", 0)
+        self.assertIn("winding_temperature_degc is not recorded: resistance_temperature_drift", done.stderr)
+
 
 class HalfAMachine(Diagnose):
     def test_a_feed_axis_alone(self):
@@ -121,13 +158,13 @@ class HalfAMachine(Diagnose):
         self.assertEqual(reasons["armature_voltage"],
                          "not recorded: armature_voltage_v, spindle_speed_rad_s, armature_current_a")
 
-    def test_an_axis_known_by_its_position_alone_wants_seconds_not_rows(self):
-        self.simulate(duration=4)
+    def test_an_axis_known_by_its_position_alone_is_seen_at_the_full_rate(self):
+        self.simulate("--datasheet-error", 0.2, "--machine-out", "wrong.toml", duration=4)
         self.keep_columns("feed_force_n", "feed_position_m", "contact")
-        shown = self.must_do("diagnose", "part.csv").stdout
-        self.assertIn("shorter than 5 s, the least for an axis known by its position alone", shown)
-        self.assertNotIn("shorter than 1000 rows", shown)
-        self.assertNotIn("threshold", shown)
+        result = self.diagnose("--machine", "wrong.toml", recording="part.csv")
+        self.assertEqual(result["verdict"], "parameter_error")
+        mass = {p["name"]: p for p in result["parameters"]}["mass_kg"]
+        self.assertAlmostEqual(mass["refit"], 3.0, delta=max(5 * mass["standard_error"], 0.003))
 
     def test_too_short_says_so(self):
         self.simulate(duration=0.05)

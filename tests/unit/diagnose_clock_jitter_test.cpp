@@ -33,6 +33,16 @@ TEST(ClockJitter, IsNamedAloneWithItsSize) {
   }
 }
 
+// A quarter of an interval: process noise takes nearly all of it, and gives it back with the other sign.
+TEST(ClockJitter, IsNamedWhereProcessNoiseHasTakenIt) {
+  constexpr double kLargeS = 25.0e-6;
+  const auto result = diagnosed(record(shaken_clock(0.0, kLargeS)), datasheet(0.1));
+  ASSERT_FALSE(result.which.empty()) << said(result);
+  EXPECT_EQ(result.which.front().effect, Effect::kClockJitter) << said(result);
+  EXPECT_EQ(result.verdict, Verdict::kEffect);
+  EXPECT_NEAR(result.which.front().magnitude, kLargeS, 0.2 * kLargeS);
+}
+
 TEST(ClockJitter, ShowsInTheVoltageBalance) {
   const auto result = diagnosed(record(shaken_clock()), datasheet(0.0));
   for (const BalanceResult& balance : result.where)

@@ -1,0 +1,45 @@
+// Dry friction beside random forces: each of the two hides the other.
+#include <gtest/gtest.h>
+
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::host {
+namespace {
+
+using diagnose_test::datasheet;
+using diagnose_test::diagnosed;
+using diagnose_test::effect;
+using diagnose_test::record;
+using diagnose_test::said;
+using gap::Effect;
+
+struct Shaken {
+  Effect friction;
+  double process_noise;
+};
+
+class ShakenFriction : public testing::TestWithParam<Shaken> {};
+
+// With friction at the estimated speed alone, as if that were the speed, 8 N came back as 6.9 N and as
+// 3.2 N. A tenth: what random forces that last for ten samples leave (sim_host/diagnose/README.md).
+TEST_P(ShakenFriction, HasItsSize) {
+  const auto& [friction, process_noise] = GetParam();
+  constexpr double kSizeN = 8.0;
+  const auto result = diagnosed(record({.effects = {effect(friction, kSizeN)},
+                                        .duration_s = 10.0,
+                                        .seed = 7,
+                                        .process_noise = process_noise}),
+                                datasheet(0.0));
+  ASSERT_FALSE(result.which.empty()) << said(result);
+  EXPECT_EQ(result.which.front().effect, friction) << said(result);
+  EXPECT_NEAR(result.which.front().magnitude, kSizeN, 0.1 * kSizeN) << said(result);
+}
+
+INSTANTIATE_TEST_SUITE_P(Forces, ShakenFriction,
+                         testing::Values(Shaken{Effect::kFeedCoulombFriction, 0.0},
+                                         Shaken{Effect::kFeedCoulombFriction, 0.3},
+                                         Shaken{Effect::kFeedStribeckFriction, 0.3},
+                                         Shaken{Effect::kFeedStribeckFriction, 1.0}));
+
+}  // namespace
+}  // namespace morepro::host
