@@ -27,7 +27,7 @@ constexpr double kBent = 0.6;  // relative deviation of a parameter that no data
 constexpr double kVague = 0.5;
 constexpr double kLeastShareOfFamily = 0.08;
 // Beside an effect that the machine file states, with the shape that a recording has given it.
-constexpr double kLeastShareOfKnown = 0.01;
+constexpr double kLeastShareOfKnown = 0.02;
 
 /// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
 /// delay has no such beginning; it starts with the size that was found.

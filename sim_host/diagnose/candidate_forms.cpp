@@ -64,7 +64,8 @@ bool varies(const RecordingSignals& signals, Channel channel) {
 
 constexpr double kFastestResonance = 0.2;  // of the sampling rate
 
-// Of ball and lead screws, where the machine file knows none.
+// Of ball and lead screws, where the machine file knows none. A position alone, over strokes that repeat
+// themselves, is explained by some period whatever is missing.
 constexpr std::initializer_list<double> kUsualPitchesM = {1.0e-3,  1.25e-3, 1.5e-3,  2.0e-3,  2.5e-3,
                                                           3.0e-3,  4.0e-3,  5.0e-3,  6.0e-3,  8.0e-3,
                                                           10.0e-3, 12.0e-3, 16.0e-3, 20.0e-3, 25.0e-3};
@@ -128,7 +129,7 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
   forms.add(Effect::kFeedForceOffset);
   if (model.machine.feed.screw_pitch_m > 0.0)
     forms.add(Effect::kFeedScrewPeriodic, 2);
-  else
+  else if (signals.has(Channel::kFeedSpeed))
     forms.add(Effect::kFeedScrewPeriodic, kUsualPitchesM, 2);
   forms.add(Effect::kFeedSpring);
   forms.add_bending(Effect::kFeedForceSaturation);

@@ -160,7 +160,7 @@ class HalfAMachine(Diagnose):
 
     def test_an_axis_known_by_its_position_alone_is_seen_at_the_full_rate(self):
         self.simulate("--datasheet-error", 0.2, "--machine-out", "wrong.toml", duration=4)
-        self.keep_columns("feed_force_n", "feed_position_m", "contact")
+        self.keep_columns("feed_force_n", "feed_position_m", "contact", "engagement")
         result = self.diagnose("--machine", "wrong.toml", recording="part.csv")
         self.assertEqual(result["verdict"], "parameter_error")
         mass = {p["name"]: p for p in result["parameters"]}["mass_kg"]
