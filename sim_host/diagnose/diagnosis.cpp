@@ -81,16 +81,8 @@ class Diagnosis {
 
   [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }
 
-  /// An axis that is known by its position alone, seen slowly; nothing where that would be another axis.
-  [[nodiscard]] std::optional<RecordingSignals> slow_motion() const {
-    const bool is_position_only = signals_.has(Channel::kFeedPosition) &&
-                                  !signals_.has(Channel::kFeedSpeed) && !signals_.has(Channel::kSpindleSpeed);
-    if (!is_position_only) return std::nullopt;
-    auto slow = slow_motion_of(signals_, machine_.configuration.machine.feed.mass_kg,
-                               machine_.configuration.sensors[Channel::kFeedPosition].noise);
-    if (slow && slow->rows < kFewestRows) slow.reset();
-    return slow;
-  }
+  /// What was left of the recording after dead sensors were.
+  [[nodiscard]] const RecordingSignals& signals() const { return signals_; }
 
   DiagnosisResult take_result(MachineDescription& with_effects) {
     for (const AxisOutcome& outcome : outcomes_) options_.on_axis(outcome.diagnosis);
@@ -214,15 +206,7 @@ class Diagnosis {
     return "nothing moves enough in the recording to tell a single parameter";
   }
 
-  static std::string too_short() {
-    return fmt::format("the recording is shorter than {} rows", kFewestRows);
-  }
-
-  /// Where a sensor's faults show most.
-  static gap::Balance balance_of(Channel channel) {
-    if (channel == Channel::kArmatureCurrent) return gap::Balance::kArmatureVoltage;
-    return channel == Channel::kSpindleSpeed ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
-  }
+  static std::string too_short() { return fmt::format("the recording is shorter than {} rows", kFewestRows); }
 
   /// Another sensor has the same fault, or an effect was found in two kinds of its law.
   [[nodiscard]] bool is_named(Effect effect) const {
@@ -301,7 +285,7 @@ class Diagnosis {
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
     if (!balance.is_evaluated) return;
     for (const SamplingFault& fault : faults_)
-      balance.is_significant |= balance.balance == balance_of(fault.channel);
+      balance.is_significant |= balance.balance == balance_shown_by(fault.channel);
     bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
       const auto group = gap::info_of(finding.effect.form.effect).group;
@@ -403,8 +387,8 @@ DiagnosisResult diagnose(const RecordingSignals& signals, const MachineDescripti
   diagnosis.run();
   if (!diagnosis.is_unexplained()) return diagnosis.take_result(with_effects);
   // What shakes a real axis has no name and hides its friction, which is seen over longer times.
-  auto slow = diagnosis.slow_motion();
-  if (!slow) return diagnosis.take_result(with_effects);
+  auto slow = slow_motion_of(diagnosis.signals(), machine.configuration);
+  if (!slow || slow->rows < kFewestRows) return diagnosis.take_result(with_effects);
   DiagnosisOptions quietly = options;
   quietly.on_progress = [](double) {};
   Diagnosis of_slow_motion(std::move(*slow), signals, machine, quietly);

@@ -12,8 +12,8 @@ constexpr float kNarrowest = 0.02F;  // share of the shape that a linearisation 
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
 constexpr int kRounds = 2;
 
-/// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, factor)` makes one
-/// of the newest effect, or gives false where there is none. Was there any?
+/// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, factor)` makes
+/// one of the newest effect, or gives false where there is none. Was there any?
 template <class Vary>
 bool take_likelier(AxisFit& trial, std::initializer_list<float> factors, Vary vary) {
   bool has_changed = false;

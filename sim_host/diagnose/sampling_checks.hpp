@@ -27,4 +27,10 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
 /// Rows that are missing or repeat the one before; repeated samples are taken out of `signals`.
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors);
 
+/// Where a sensor's faults show most.
+constexpr gap::Balance balance_shown_by(Channel channel) {
+  if (channel == Channel::kArmatureCurrent) return gap::Balance::kArmatureVoltage;
+  return channel == Channel::kSpindleSpeed ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
+}
+
 }  // namespace morepro::host

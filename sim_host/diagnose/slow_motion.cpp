@@ -27,12 +27,19 @@ double error_of_means_m(const RecordingSignals& signals, std::size_t factor, dou
   return intervals > 0.0 ? std::sqrt(squares / intervals) * step_s * step_s / mass_kg : 0.0;
 }
 
+bool is_position_only(const RecordingSignals& signals) {
+  return signals.has(Channel::kFeedPosition) && !signals.has(Channel::kFeedSpeed) &&
+         !signals.has(Channel::kSpindleSpeed);
+}
+
 }  // namespace
 
-std::optional<RecordingSignals> slow_motion_of(const RecordingSignals& signals, double mass_kg,
-                                               double position_noise_m) {
+std::optional<RecordingSignals> slow_motion_of(const RecordingSignals& signals,
+                                               const MonitorConfiguration& machine) {
   const auto factor = static_cast<std::size_t>(signals.rate_hz / kFastEnoughHz);
-  if (factor < 2 || error_of_means_m(signals, factor, mass_kg) > position_noise_m) return std::nullopt;
+  if (factor < 2 || !is_position_only(signals)) return std::nullopt;
+  const double error_m = error_of_means_m(signals, factor, machine.machine.feed.mass_kg);
+  if (error_m > machine.sensors[Channel::kFeedPosition].noise) return std::nullopt;
   return thinned(signals, factor);
 }
 
