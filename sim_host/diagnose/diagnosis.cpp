@@ -81,8 +81,9 @@ class Diagnosis {
 
   [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }
 
-  /// What was left of the recording after dead sensors were.
+  /// What was left of the recording after dead sensors were, and what there is to say about it.
   [[nodiscard]] const RecordingSignals& signals() const { return signals_; }
+  [[nodiscard]] const std::vector<std::string>& notices() const { return result_.notices; }
 
   DiagnosisResult take_result(MachineDescription& with_effects) {
     for (const AxisOutcome& outcome : outcomes_) options_.on_axis(outcome.diagnosis);
@@ -191,8 +192,7 @@ class Diagnosis {
         return "the datasheet's model explains the recording to its noise";
       case Verdict::kParameterError:
         return "the structure of the model is right, values of the datasheet are not: see the parameters (a "
-               "wrong gain of a "
-               "sensor would look the same)";
+               "wrong gain of a sensor would look the same)";
       case Verdict::kEffect:
         return "the named effects explain what the datasheet's model leaves";
       case Verdict::kUnexplained:
@@ -393,7 +393,10 @@ DiagnosisResult diagnose(const RecordingSignals& signals, const MachineDescripti
   quietly.on_progress = [](double) {};
   Diagnosis of_slow_motion(std::move(*slow), signals, machine, quietly);
   of_slow_motion.run();
-  return (of_slow_motion.is_unexplained() ? diagnosis : of_slow_motion).take_result(with_effects);
+  if (of_slow_motion.is_unexplained()) return diagnosis.take_result(with_effects);
+  DiagnosisResult result = of_slow_motion.take_result(with_effects);
+  result.notices = diagnosis.notices();
+  return result;
 }
 
 }  // namespace morepro::host
