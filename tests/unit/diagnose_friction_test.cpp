@@ -16,30 +16,34 @@ using gap::Effect;
 struct Shaken {
   Effect friction;
   double process_noise;
+  std::uint64_t seed;
+  double tolerance;  ///< as a share of the size
 };
 
 class ShakenFriction : public testing::TestWithParam<Shaken> {};
 
 // With friction at the estimated speed alone, as if that were the speed, 8 N came back as 6.9 N and as
-// 3.2 N. A tenth: what random forces that last for ten samples leave (sim_host/diagnose/README.md).
+// 3.2 N; without a search that begins with little process noise as 7.6 N and 6.7 N where there is none. A
+// tenth: what random forces that last for ten samples leave (sim_host/diagnose/README.md).
 TEST_P(ShakenFriction, HasItsSize) {
-  const auto& [friction, process_noise] = GetParam();
+  const auto& [friction, process_noise, seed, tolerance] = GetParam();
   constexpr double kSizeN = 8.0;
   const auto result = diagnosed(record({.effects = {effect(friction, kSizeN)},
                                         .duration_s = 10.0,
-                                        .seed = 7,
+                                        .seed = seed,
                                         .process_noise = process_noise}),
                                 datasheet(0.0));
   ASSERT_FALSE(result.which.empty()) << said(result);
   EXPECT_EQ(result.which.front().effect, friction) << said(result);
-  EXPECT_NEAR(result.which.front().magnitude, kSizeN, 0.1 * kSizeN) << said(result);
+  EXPECT_NEAR(result.which.front().magnitude, kSizeN, tolerance * kSizeN) << said(result);
 }
 
 INSTANTIATE_TEST_SUITE_P(Forces, ShakenFriction,
-                         testing::Values(Shaken{Effect::kFeedCoulombFriction, 0.0},
-                                         Shaken{Effect::kFeedCoulombFriction, 0.3},
-                                         Shaken{Effect::kFeedStribeckFriction, 0.3},
-                                         Shaken{Effect::kFeedStribeckFriction, 1.0}));
+                         testing::Values(Shaken{Effect::kFeedCoulombFriction, 0.0, 8, 0.03},
+                                         Shaken{Effect::kFeedStribeckFriction, 0.0, 8, 0.03},
+                                         Shaken{Effect::kFeedCoulombFriction, 0.3, 7, 0.1},
+                                         Shaken{Effect::kFeedStribeckFriction, 0.3, 7, 0.1},
+                                         Shaken{Effect::kFeedStribeckFriction, 1.0, 7, 0.1}));
 
 }  // namespace
 }  // namespace morepro::host
