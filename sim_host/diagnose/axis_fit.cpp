@@ -283,12 +283,7 @@ std::array<GapModel, 2> AxisFit::cross_fitted(double block_s, std::size_t blocks
   return models;
 }
 
-void AxisFit::expect_little_noise() {
-  auto& noise = model_.noise;
-  noise.speed_step = least_noise_share_ * std::sqrt(noise.speed_variance);
-  noise.current_step = least_noise_share_ * std::sqrt(noise.current_variance);
-  noise.feed_step = least_noise_share_ * std::sqrt(noise.feed_speed_variance);
-}
+void AxisFit::expect_little_noise() { expect_process_noise(least_noise_share_, model_.noise); }
 
 void AxisFit::refit() {
   Trial best = tried();

@@ -187,19 +187,7 @@ class Diagnosis {
   }
 
   std::string explanation() const {
-    switch (result_.verdict) {
-      case Verdict::kNoGap:
-        return "the datasheet's model explains the recording to its noise";
-      case Verdict::kParameterError:
-        return "the structure of the model is right, values of the datasheet are not: see the parameters (a "
-               "wrong gain of a sensor would look the same)";
-      case Verdict::kEffect:
-        return "the named effects explain what the datasheet's model leaves";
-      case Verdict::kUnexplained:
-        return "there is structure that no effect of the catalogue explains";
-      case Verdict::kInsufficientExcitation:
-        break;
-    }
+    if (const auto meaning = meaning_of(result_.verdict); !meaning.empty()) return std::string(meaning);
     if (signals_.rows < kFewestRows) return too_short();
     if (outcomes_.empty())
       return "no balance has its signals in the recording and its values in the machine file";

@@ -26,6 +26,24 @@ constexpr std::string_view name_of(Verdict verdict) {
   return kVerdictNames[static_cast<std::size_t>(verdict)];
 }
 
+/// What a verdict says; empty for insufficient excitation, of which there are several.
+constexpr std::string_view meaning_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNoGap:
+      return "the datasheet's model explains the recording to its noise";
+    case Verdict::kParameterError:
+      return "the structure of the model is right, values of the datasheet are not: see the parameters (a "
+             "wrong gain of a sensor would look the same)";
+    case Verdict::kEffect:
+      return "the named effects explain what the datasheet's model leaves";
+    case Verdict::kUnexplained:
+      return "there is structure that no effect of the catalogue explains";
+    case Verdict::kInsufficientExcitation:
+      break;
+  }
+  return "";
+}
+
 /// A part of a recording in which a balance is looked at for itself.
 struct GapCell {
   std::string_view by;  ///< contact, speed, direction, temperature, frequency, order or time

@@ -75,10 +75,14 @@ gap::GapNoise<double> usual_noise(const Sensors& sensors) {
   noise.current_variance = sensors[Channel::kArmatureCurrent].variance();
   noise.feed_speed_variance = sensors[Channel::kFeedSpeed].variance();
   noise.feed_position_variance = sensors[Channel::kFeedPosition].variance();
-  noise.speed_step = kUsualNoiseShare * std::sqrt(noise.speed_variance);
-  noise.current_step = kUsualNoiseShare * std::sqrt(noise.current_variance);
-  noise.feed_step = kUsualNoiseShare * std::sqrt(noise.feed_speed_variance);
+  expect_process_noise(kUsualNoiseShare, noise);
   return noise;
+}
+
+void expect_process_noise(double share, gap::GapNoise<double>& noise) {
+  noise.speed_step = share * std::sqrt(noise.speed_variance);
+  noise.current_step = share * std::sqrt(noise.current_variance);
+  noise.feed_step = share * std::sqrt(noise.feed_speed_variance);
 }
 
 bool fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,

@@ -13,6 +13,9 @@ inline constexpr double kLittleNoiseShare = 1.0e-4;
 /// Sensor variances of the machine file, and the usual process noise.
 gap::GapNoise<double> usual_noise(const Sensors& sensors);
 
+/// Sets the process noise of both axes to that share of their sensors' noise.
+void expect_process_noise(double share, gap::GapNoise<double>& noise);
+
 /// Chooses the process noise of one axis under which the innovations are most likely, on some stretches of
 /// the recording, shorter ones for a rough answer; not below `least_share`. Of a thinned recording the
 /// position's noise too, which may be less than `stated`, the machine file's. Has it changed?
