@@ -1,5 +1,7 @@
 #include "sim_host/simulate/simulated_machine.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "sim_host/simulate/effect_rate.hpp"
@@ -35,6 +37,11 @@ PlantDerivative<double> rate_between(const PlantState<double>& a, const PlantSta
           (b.current_a - a.current_a) / step_s};
 }
 
+bool is_finite(const PlantState<double>& state) {
+  return std::isfinite(state.speed_rad_s) && std::isfinite(state.feed_speed_m_s) &&
+         std::isfinite(state.current_a);
+}
+
 bool is_zero(const PlantDerivative<double>& rate) {
   return rate.acceleration_rad_s2 == 0.0 && rate.feed_acceleration_m_s2 == 0.0 &&
          rate.current_rate_a_s == 0.0;
@@ -62,6 +69,11 @@ void SimulatedMachine::step(const PlantInput<double>& input) {
     square_a2 += state_.current_a * state_.current_a;
     if (!sensor_effects_.is_empty()) sensor_effects_.step(signals_at(state_, 0.0, input));
   }
+  if (!is_finite(state_))
+    throw UserError(
+        fmt::format("the simulated machine runs away {:.4g} s after its start: an effect is larger "
+                    "than a machine can have it; make it smaller",
+                    steps_done_ * substep_s_));
   temperatures_.step(square_a2 / sensor_steps_, input.contact);
 }
 

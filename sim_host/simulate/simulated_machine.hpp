@@ -14,7 +14,7 @@ namespace morepro::host {
 class SimulatedMachine {
  public:
   /// `period_s` > 0: time between two samples; inputs are held over it. Throws UserError where the effects
-  /// are too stiff to be simulated.
+  /// are too stiff to be simulated, and step() where they make the machine run away.
   SimulatedMachine(const MachineParameters& machine, double period_s,
                    std::span<const gap::AppliedEffect> effects = {},
                    double longest_substep_s = kLongestSubstepS);

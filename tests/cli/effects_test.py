@@ -103,6 +103,8 @@ class SimulatedEffects(ProgramTest):
                 self.assertIn(reason, self.must_refuse(2, *SHORT, "--effect", option, "--out", "a.csv"))
         self.assertIn("too stiff",
                       self.must_refuse(1, *SHORT, "--effect", "feed_coulomb_friction=1e7", "--out", "a.csv"))
+        self.assertIn("runs away",
+                      self.must_refuse(1, *SHORT, "--effect", "torque_constant_saturation=5e-4", "--out", "a.csv"))
         self.assertEqual(self.files(), [])
 
 
