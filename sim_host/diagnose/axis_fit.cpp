@@ -22,6 +22,7 @@ constexpr double kSettledRound = 5.0;  // deviance that a round of noise and par
 constexpr double kSettled = 4.0;       // chi-square that a further step would gain
 constexpr double kHopeless = 0.01;     // deviance per row that another round does not make up for
 constexpr double kCrawl = 0.005;       // share of its promise that a step keeps where another one is no use
+constexpr double kNotFitted = 1.0e24;  // precision of what the recording tells nothing about
 constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
 
 /// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.
@@ -55,6 +56,8 @@ Eigen::VectorXd AxisFit::precision(Eigen::Index width) const {
   Eigen::VectorXd precision = Eigen::VectorXd::Zero(width);
   const auto count = static_cast<Eigen::Index>(parameter_count(axis_));
   precision.head(count).setConstant(1.0 / (kDatasheetSpread * kDatasheetSpread));
+  if (axis_ == Axis::kSpindle && signals_->is_current_driven)
+    precision.segment(kTorqueParameters, count - kTorqueParameters).setConstant(kNotFitted);
   if (axis_ == Axis::kFeed) {
     const auto& feed = datasheet_.machine.feed;
     const double load_n = std::max(feed.contact_force_n + feed.contact_offset_n, 1.0e-3);

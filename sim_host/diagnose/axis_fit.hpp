@@ -135,6 +135,8 @@ class AxisFit {
   Eigen::VectorXd standard_error_;
 };
 
+/// Of the spindle's parameters those of the torque balance; the others are the voltage balance's.
+inline constexpr Eigen::Index kTorqueParameters = 3;
 /// How far a datasheet may be off, as a standard deviation; relative.
 inline constexpr double kDatasheetSpread = 0.5;
 inline constexpr double kBlockS = 0.25;

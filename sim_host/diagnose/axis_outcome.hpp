@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 
 #include "sim_host/diagnose/axis_diagnosis.hpp"
@@ -19,10 +20,15 @@ struct AxisOutcome {
   AxisDiagnosis diagnosis;
   Leftover leftover{};
   ChanceEvidence chance{};
+  double noise_evidence = 0.0;      ///< what noise that lasts may be worth to a name that is not there
   double parameter_evidence = 0.0;  ///< deviance by which the datasheet's values are worse than the refitted
 
   /// Evidence that a name needs here.
   [[nodiscard]] double threshold() const;
+  /// The same for one of the functions without a name, which count together.
+  [[nodiscard]] double least_function() const;
+  /// Deviance that structure without a name needs.
+  [[nodiscard]] double least_unnamed() const { return std::max(kLeastUnnamed, noise_evidence); }
   /// Deviance that all names together take.
   [[nodiscard]] double named_deviance() const;
 };

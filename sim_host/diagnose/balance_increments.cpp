@@ -1,8 +1,10 @@
 #include "sim_host/diagnose/balance_increments.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "lib/plant/contact_law.hpp"
 #include "sim_host/diagnose/innovation_pass.hpp"
@@ -20,12 +22,23 @@ double first_share(double decay) {
   return std::fabs(decay) < 1.0e-3 ? 0.5 - decay / 12.0 : 1.0 / decay - 1.0 / std::expm1(decay);
 }
 
+constexpr std::array kSampled{Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed,
+                              Channel::kFeedPosition};
+
+bool has_holes(const RecordingSignals& signals) {
+  return std::any_of(kSampled.begin(), kSampled.end(), [&signals](Channel channel) {
+    const auto& column = signals.value[index_of(channel)];
+    return std::any_of(column.begin(), column.end(), [](float value) { return std::isnan(value); });
+  });
+}
+
 /// Straight over short holes: a window needs all of its samples, and a recording that lacks one in thirty has
-/// few windows without a hole.
-RecordingSignals bridged(RecordingSignals signals) {
+/// few windows without a hole. Nothing where there is none.
+std::optional<RecordingSignals> bridged(const RecordingSignals& with_holes) {
+  if (!has_holes(with_holes)) return std::nullopt;
+  RecordingSignals signals = with_holes;
   constexpr std::size_t kLongestHole = 8;
-  for (const Channel channel :
-       {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition}) {
+  for (const Channel channel : kSampled) {
     auto& column = signals.value[index_of(channel)];
     std::size_t last = column.size();  // that was measured
     for (std::size_t i = 0; i < column.size(); ++i) {
@@ -74,7 +87,8 @@ class Increments {
  public:
   explicit Increments(const AxisDiagnosis& diagnosis)
       : fit_(diagnosis.fit),
-        signals_(bridged(fit_.signals())),
+        bridged_(bridged(fit_.signals())),
+        signals_(bridged_ ? *bridged_ : fit_.signals()),
         machine_(fit_.model().machine),
         step_s_(1.0 / signals_.rate_hz),
         first_share_(first_share(step_s_ * machine_.spindle.resistance_ohm / machine_.spindle.inductance_h)) {
@@ -83,10 +97,10 @@ class Increments {
   std::vector<BalanceIncrements> of_spindle() {
     const bool has_current = signals_.has(Channel::kArmatureCurrent);
     std::vector<BalanceIncrements> balances{empty(gap::Balance::kSpindleTorque, 5)};
-    if (has_current) balances.push_back(empty(gap::Balance::kArmatureVoltage, 5));
+    if (signals_.has_electrics()) balances.push_back(empty(gap::Balance::kArmatureVoltage, 5));
     for_each_row([&](Eigen::Index i, const Moment&, const Moment& here, const Moment& next) {
       balances.front().columns.row(i) = torque(here, next, has_current);
-      if (has_current) balances.back().columns.row(i) = voltage(here, next);
+      if (signals_.has_electrics()) balances.back().columns.row(i) = voltage(here, next);
     });
     return balances;
   }
@@ -222,7 +236,8 @@ class Increments {
   }
 
   const AxisFit& fit_;
-  RecordingSignals signals_;
+  std::optional<RecordingSignals> bridged_;
+  const RecordingSignals& signals_;
   const MachineParameters& machine_;
   double step_s_;
   double first_share_;

@@ -5,6 +5,7 @@
 
 #include "sim_host/diagnose/balance_increments.hpp"
 #include "sim_host/diagnose/linear_fit.hpp"
+#include "sim_host/diagnose/noise_floor.hpp"
 
 namespace morepro::host {
 namespace {
@@ -101,6 +102,14 @@ Scales scales_of(const std::vector<Window>& windows, const Coefficients& coeffic
   return sum;
 }
 
+/// Noise is in both: where effects that act on a noisy state leave more, it is not the floor.
+Scales smaller_of(const Scales& a, const Scales& b) {
+  Scales smaller = a;
+  for (std::size_t r = 0; r < kRowsPerWindow; ++r)
+    for (std::size_t c = 0; c < 2; ++c) smaller[r][c] = std::min(a[r][c], b[r][c]);
+  return smaller;
+}
+
 WindowPower power_of(const Window& window, const Coefficients& coefficient, const Scales& scale) {
   const Eigen::VectorXd residual = residual_of(window, coefficient);
   WindowPower power{.first = window.first};
@@ -111,10 +120,32 @@ WindowPower power_of(const Window& window, const Coefficients& coefficient, cons
   return power;
 }
 
+std::vector<WindowPower> powers_of(const std::vector<Window>& windows, const Coefficients& coefficient,
+                                   const Scales& scale) {
+  std::vector<WindowPower> powers;
+  for (const Window& window : windows) powers.push_back(power_of(window, coefficient, scale));
+  return powers;
+}
+
 double total_of(const WindowPower& power) {
   double sum = 0.0;
   for (std::size_t band = 0; band < kBands; ++band) sum += rows_of_band(band) * power.power[band];
   return sum;
+}
+
+/// Of what the coefficients leave in each row, what is noise.
+Scales floor_of(const std::vector<Window>& windows, const Coefficients& coefficient, const Scales& left) {
+  std::vector<WindowResidual> residuals;
+  for (const Window& window : windows) {
+    residuals.push_back({.first = window.first, .in_contact = window.in_contact});
+    Eigen::Map<Eigen::VectorXd>(residuals.back().row.data(), kRowsPerWindow) =
+        residual_of(window, coefficient);
+  }
+  const NoiseShares shares = noise_shares(residuals);
+  Scales floor = left;
+  for (std::size_t r = 0; r < kRowsPerWindow; ++r)
+    for (std::size_t c = 0; c < 2; ++c) floor[r][c] *= std::sqrt(shares[band_of_row(r)][c]);
+  return floor;
 }
 
 void hold_out(const std::vector<Window>& windows, const Scales& scale, BalanceRows& rows) {
@@ -140,13 +171,20 @@ BalanceRows rows_of(const BalanceIncrements& balance, const RecordingSignals& si
   const auto all = [](const Window&) { return true; };
   Scales scale;
   for (auto& pair : scale) pair = {1.0, 1.0};
-  for (int round = 0; round < 3; ++round) scale = scales_of(windows, fitted(windows, scale, true, all));
-  const Coefficients before = fitted(windows, scale, false, all);
-  const Coefficients after = fitted(windows, scale, true, all);
-  for (const Window& window : windows) {
-    rows.before.push_back(power_of(window, before, scale));
-    rows.after.push_back(power_of(window, after, scale));
+  Coefficients before;
+  Coefficients after;
+  for (int round = 0; round < 3; ++round) {
+    before = fitted(windows, scale, false, all);
+    after = fitted(windows, scale, true, all);
+    scale = smaller_of(scales_of(windows, before), scales_of(windows, after));
   }
+  if (mean_power(powers_of(windows, before, scale)) > kLeastGap) {
+    scale = floor_of(windows, after, scale);
+    before = fitted(windows, scale, false, all);
+    after = fitted(windows, scale, true, all);
+  }
+  rows.before = powers_of(windows, before, scale);
+  rows.after = powers_of(windows, after, scale);
   hold_out(windows, scale, rows);
   return rows;
 }

@@ -8,9 +8,12 @@
 
 namespace morepro::host {
 
+/// Residual ratio of a balance in which effects act.
+inline constexpr double kLeastGap = 1.005;
+
 /// Powers of one balance, window by window, in units of the noise floor: what the recording leaves of a
-/// balance that is integrated exactly over every sampling interval, in smooth windows. The floor is what the
-/// model with effects leaves on average, band by band and with and without contact.
+/// balance that is integrated exactly over every sampling interval, in smooth windows. The floor is the noise
+/// of what the model leaves on average, band by band and with and without contact.
 struct BalanceRows {
   gap::Balance balance = gap::Balance::kSpindleTorque;
   std::vector<WindowPower> before{};  ///< nominal parameters refitted to these rows

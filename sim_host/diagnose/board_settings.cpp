@@ -15,6 +15,9 @@ using gap::EffectForm;
 using gap::MachineForms;
 
 constexpr std::size_t kMostNameless = 2;
+// A board uses a row of either sensor in turn, which is half of what a host sees, and what lasts in them is
+// harder to use for a name.
+constexpr double kShareOfNoise = 0.25;
 
 bool has_name(const EffectForm& form) { return gap::index_of(form.effect) < gap::kEffectCount; }
 
@@ -39,7 +42,8 @@ double noise_ratio(const AxisFit& fit) {
 }
 
 void take(const AxisOutcome& outcome, bool is_unexplained, double rate_hz, gap::GapLimits& limits) {
-  limits.evidence = std::max(limits.evidence, outcome.chance.quantile99);
+  limits.evidence =
+      std::max({limits.evidence, outcome.chance.quantile99, kShareOfNoise * outcome.noise_evidence});
   limits.temperature = std::max(1.0, outcome.chance.temperature);
   const auto& functions = outcome.leftover.functions;
   for (std::size_t i = 0; is_unexplained && i < std::min(kMostNameless, functions.size()); ++i)

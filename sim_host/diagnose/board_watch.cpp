@@ -40,7 +40,8 @@ gap::GapFrame<float> rounded(const gap::GapFrame<double>& frame) {
 
 /// An axis is watched where its input is known: else there is nothing to predict with.
 void hide_what_is_not_driven(const RecordingSignals& signals, gap::GapFrame<float>& frame) {
-  if (!signals.has(Channel::kArmatureVoltage)) frame.has_speed = frame.has_current = false;
+  if (!signals.has(Channel::kArmatureVoltage) || signals.is_current_driven)
+    frame.has_speed = frame.has_current = false;
   if (!signals.has(Channel::kFeedForce)) frame.has_feed_speed = frame.has_feed_position = false;
 }
 
@@ -109,14 +110,14 @@ void allow(float excitation, gap::GapLimits& limits) {
     limits.excitation = std::min(limits.excitation, kMargin * static_cast<double>(excitation));
 }
 
-gap::GapFinding found_on_board(const RecordingSignals& signals, const MachineParameters& machine,
-                               const BoardSight& sight, gap::GapSettings& settings) {
+/// `rate_hz`: of the frames.
+gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rate_hz,
+                               const MachineParameters& machine, const BoardSight& sight,
+                               gap::GapSettings& settings) {
   const auto new_watch = [&] {
-    return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / signals.rate_hz,
-                                   settings);
+    return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / rate_hz, settings);
   };
-  const std::vector<BoardFrame> frames = board_frames(signals, machine);
-  const auto since = static_cast<std::size_t>(sight.since_s * signals.rate_hz);
+  const auto since = static_cast<std::size_t>(sight.since_s * rate_hz);
   std::array<std::unique_ptr<Watch>, kWatches> parts;
   in_parallel(kWatches, [&](std::size_t k) {
     parts[k] = new_watch();
@@ -140,9 +141,11 @@ gap::GapFinding found_on_board(const RecordingSignals& signals, const MachinePar
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
                                const MachineParameters& refitted, const BoardSight& sight,
                                gap::GapSettings& settings) {
-  const gap::GapFinding found = found_on_board(signals, refitted, sight, settings);
+  // What a recording does not hold, the machine file does; no value of it is fitted.
+  const std::vector<BoardFrame> frames = board_frames(signals, datasheet);
+  const gap::GapFinding found = found_on_board(frames, signals.rate_hz, refitted, sight, settings);
   if (found.verdict != GapVerdict::kNoGap && found.verdict != GapVerdict::kParameterError) return found;
-  gap::GapFinding by_datasheet = found_on_board(signals, datasheet, sight, settings);
+  gap::GapFinding by_datasheet = found_on_board(frames, signals.rate_hz, datasheet, sight, settings);
   // What other values explain is no effect, whatever it looks like beside wrong ones.
   if (by_datasheet.verdict != GapVerdict::kNoGap) by_datasheet.verdict = GapVerdict::kParameterError;
   return by_datasheet;

@@ -92,6 +92,7 @@ void add_torques(Forms& forms, const RecordingSignals& signals, const GapModel& 
 }
 
 void add_voltages(Forms& forms, const RecordingSignals& signals, double step_s) {
+  if (signals.is_current_driven) return;
   forms.add(Effect::kBrushVoltageDrop, {0.02, 0.2});
   forms.add(Effect::kSupplyVoltageOffset);
   forms.add(Effect::kDriveLag, {0.5 * step_s, 1.0e-4, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3});
@@ -100,7 +101,7 @@ void add_voltages(Forms& forms, const RecordingSignals& signals, double step_s) 
   forms.add(Effect::kInductanceSaturation);
   forms.add(Effect::kArmatureReaction, 1, 0);
   forms.add(Effect::kArmatureReaction, 1, 1);
-  if (!varies(signals, Channel::kWindingTemperature)) return;
+  if (!varies(signals, Channel::kWindingTemperature) && signals.calm_winding_degc.empty()) return;
   forms.add(Effect::kResistanceTemperatureDrift);
   forms.add(Effect::kMagnetTemperatureDrift, 1, 0);
   forms.add(Effect::kMagnetTemperatureDrift, 1, 1);
@@ -115,8 +116,11 @@ void add_spindle_sensors(Forms& forms, const RecordingSignals& signals, double s
   forms.add(Effect::kEncoderEccentricity, 2);
   if (!signals.has(Channel::kArmatureCurrent)) return;
   forms.add(Effect::kCurrentBias);
-  forms.add(Effect::kCurrentDelay, delays);
-  forms.add(Effect::kCurrentBandwidth, delays);
+  // Of a current that nothing predicts, how late it is shown is what acts later: a shaft, a lag of the speed.
+  if (!signals.is_current_driven) {
+    forms.add(Effect::kCurrentDelay, delays);
+    forms.add(Effect::kCurrentBandwidth, delays);
+  }
   forms.add(Effect::kCurrentNonlinearity, 1, 0);
   forms.add(Effect::kCurrentNonlinearity, 1, 1);
 }
@@ -163,7 +167,7 @@ std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& 
   return std::move(forms.forms);
 }
 
-std::vector<gap::EffectForm> unnamed_forms(Axis axis, const RecordingSignals&) {
+std::vector<gap::EffectForm> unnamed_forms(Axis axis, const RecordingSignals& signals) {
   std::vector<gap::EffectForm> forms;
   const auto add = [&forms](Effect effect, std::uint8_t laws, std::initializer_list<double> lags) {
     for (const double lag_s : lags)
@@ -174,7 +178,7 @@ std::vector<gap::EffectForm> unnamed_forms(Axis axis, const RecordingSignals&) {
     add(Effect::kUnnamedForce, gap::laws::kUnnamedFeedLaws, {0.0, 0.02});
   } else {
     add(Effect::kUnnamedTorque, gap::laws::kUnnamedSpindleLaws, {0.0, 0.01});
-    add(Effect::kUnnamedVoltage, gap::laws::kUnnamedSpindleLaws, {0.0, 0.01});
+    if (!signals.is_current_driven) add(Effect::kUnnamedVoltage, gap::laws::kUnnamedSpindleLaws, {0.0, 0.01});
   }
   return forms;
 }

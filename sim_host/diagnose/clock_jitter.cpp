@@ -117,7 +117,7 @@ bool knows_rates(const AxisFit& fit) {
   const RecordingSignals& signals = fit.signals();
   if (signals.is_thinned) return false;
   if (fit.axis() == Axis::kFeed) return signals.has(Channel::kFeedSpeed);
-  return signals.has(Channel::kSpindleSpeed) && signals.has(Channel::kArmatureCurrent);
+  return signals.has(Channel::kSpindleSpeed) && signals.has_electrics();
 }
 
 Evaluation look_at(const AxisFit& fit, const GapModel& model) {

@@ -14,6 +14,7 @@
 #include "sim_host/diagnose/board_settings.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
 #include "sim_host/diagnose/clock_jitter.hpp"
+#include "sim_host/diagnose/current_drive.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
 #include "sim_host/diagnose/model_comparison.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
@@ -24,6 +25,7 @@
 #include "sim_host/diagnose/slow_motion.hpp"
 #include "sim_host/diagnose/unevaluated.hpp"
 #include "sim_host/diagnose/where.hpp"
+#include "sim_host/diagnose/winding_heat.hpp"
 #include "sim_host/machine/setting_key.hpp"
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -59,6 +61,7 @@ class Diagnosis {
     for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
       result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
                                             kChannels[index_of(channel)].column));
+    if (machine_.has_spindle) drive_by_current(signals_);
     if (std::string lack = untested_effects(signals_, machine_); !lack.empty())
       result_.notices.push_back(std::move(lack));
     faults_ = find_quantization(signals_, sensors);
@@ -68,6 +71,7 @@ class Diagnosis {
     datasheet_ = {.machine = machine_.configuration.machine,
                   .point = reference_point_for(machine_, signals_),
                   .noise = usual_noise(sensors)};
+    if (signals_.rows >= kFewestRows) heat_winding_by_current(signals_, datasheet_);
     for (const auto& effect : machine_.effects)
       datasheet_.known.push_back(gap::restated(effect, file_scales(), recording_scales()));
     try_axes();
@@ -158,7 +162,7 @@ class Diagnosis {
     for (const AxisOutcome& outcome : outcomes_) {
       result_.threshold_evidence = std::max(result_.threshold_evidence, outcome.threshold());
       result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
-      const double leftover = outcome.leftover.gain >= kLeastUnnamed ? outcome.leftover.gain : 0.0;
+      const double leftover = outcome.leftover.gain >= outcome.least_unnamed() ? outcome.leftover.gain : 0.0;
       unnamed += excess_of(leftover);
       result_.unexplained_evidence += outcome.leftover.gain;
       named += excess_of(leftover + outcome.named_deviance()) - excess_of(leftover);
@@ -205,7 +209,7 @@ class Diagnosis {
   void rank() {
     if (result_.verdict == Verdict::kInsufficientExcitation) return;
     for (const SamplingFault& fault : faults_) {
-      EffectResult effect{.is_applicable = false, .effect = fault.effect, .confidence = 0.97};
+      EffectResult effect{.effect = fault.effect, .confidence = 0.97};
       effect.magnitude = fault.size;
       effect.standard_error = fault.standard_error;
       effect.evidence = fault.evidence;
@@ -229,6 +233,7 @@ class Diagnosis {
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
+    if (has_no_size(effect.effect, signals_)) effect.magnitude = effect.standard_error = std::nan("");
     return effect;
   }
 
@@ -262,7 +267,7 @@ class Diagnosis {
 
   /// Deviance of the nameless structure that sits in one balance.
   static double leftover_in(gap::Balance balance, const AxisOutcome& outcome) {
-    if (outcome.leftover.gain < kLeastUnnamed) return 0.0;
+    if (outcome.leftover.gain < outcome.least_unnamed()) return 0.0;
     const double torque = outcome.leftover.torque_share;
     const double share = balance == gap::Balance::kArmatureVoltage ? 1.0 - torque
                          : balance == gap::Balance::kSpindleTorque ? torque
@@ -280,7 +285,7 @@ class Diagnosis {
       const bool is_here = static_cast<std::size_t>(group) == static_cast<std::size_t>(balance.balance);
       const bool is_sensor = group == gap::EffectGroup::kSensor;
       if (!is_here && !is_sensor) continue;
-      balance.is_significant |= is_here || balance.residual_ratio > kVisible;
+      balance.is_significant |= is_here || balance.residual_ratio > kVisible * balance.residual_ratio_after;
       const bool is_late_fault = is_sensor && finding.effect.onset_s > 0.0 && balance.is_significant;
       if ((is_here && is_strongest) || is_late_fault)
         balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
@@ -290,8 +295,10 @@ class Diagnosis {
     if (!(left >= 0.5 * outcome.leftover.gain && left > 0.0)) return;
     balance.is_significant |= result_.verdict == Verdict::kUnexplained;
     const double rows = static_cast<double>(signals_.rows) / (0.5 * kWindowLength) * kRowsPerWindow;
-    balance.residual_ratio *= 1.0 + left / rows;
-    balance.residual_ratio_after *= 1.0 + left / rows;
+    // Some of it may be in the floor already.
+    const double more = std::max(1.0, (1.0 + left / rows) / balance.residual_ratio_after);
+    balance.residual_ratio *= more;
+    balance.residual_ratio_after *= more;
   }
 
   void add_if_absent(gap::Balance balance) {
@@ -349,6 +356,7 @@ class Diagnosis {
     for (const AxisOutcome& outcome : outcomes_) {
       take_values(outcome.diagnosis.fit, machine.configuration.machine);
       for (gap::AppliedEffect effect : outcome.diagnosis.fit.model().effects) {
+        if (has_no_size(effect.form.effect, signals_)) continue;
         effect.onset_s = 0.0;  // of this recording; from now on the machine has it
         machine.effects.push_back(gap::restated(effect, recording_scales(), file_scales()));
       }

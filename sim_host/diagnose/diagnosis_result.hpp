@@ -66,10 +66,9 @@ struct BalanceResult {
 
 struct EffectResult {
   gap::AppliedEffect applied{};
-  bool is_applicable = true;  ///< faults of the sampling are no part of a model
   gap::Effect effect = gap::Effect::kSpindleCoulombFriction;
   double confidence = 0.0;
-  double magnitude = 0.0;
+  double magnitude = 0.0;  ///< NaN where the recording does not tell it
   double standard_error = 0.0;
   double evidence = 0.0;
   std::vector<gap::Effect> alias_set{};

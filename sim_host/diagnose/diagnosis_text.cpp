@@ -24,12 +24,17 @@ std::string where_text(const DiagnosisResult& r) {
   return text;
 }
 
+std::string size_text(const EffectResult& e) {
+  if (std::isnan(e.magnitude)) return "undetermined";
+  return fmt::format("{:.4g} +- {:.2g} {}", e.magnitude, e.standard_error, gap::info_of(e.effect).unit);
+}
+
 std::string which_text(const DiagnosisResult& r) {
   if (r.which.empty()) return "";
   std::string text = "which\n";
   for (const EffectResult& e : r.which) {
-    text += fmt::format("  {} = {:.4g} +- {:.2g} {}, confidence {:.0f} %\n", gap::name_of(e.effect),
-                        e.magnitude, e.standard_error, gap::info_of(e.effect).unit, 100.0 * e.confidence);
+    text += fmt::format("  {} = {}, confidence {:.0f} %\n", gap::name_of(e.effect), size_text(e),
+                        100.0 * e.confidence);
     if (const auto other = gap::info_of(e.effect).also_known; !other.empty())
       text += fmt::format("    outside the catalogue, {} looks the same\n", other);
     if (e.alias_set.size() < 2) continue;

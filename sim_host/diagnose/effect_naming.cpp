@@ -1,6 +1,7 @@
 #include "sim_host/diagnose/effect_naming.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -57,6 +58,13 @@ std::optional<Effect> twin_of(const Finding& finding) {
   return std::nullopt;
 }
 
+/// What would look the same and was not tried: of a current that nothing predicts, that it is shown late.
+std::span<const Effect> untried_aliases(Effect effect, const AxisFit& fit) {
+  static constexpr std::array kLateCurrent{Effect::kCurrentDelay, Effect::kCurrentBandwidth};
+  const bool is_late = effect == Effect::kShaftCompliance && fit.signals().is_current_driven;
+  return is_late ? kLateCurrent : std::span<const Effect>{};
+}
+
 }  // namespace
 
 std::size_t causes_of(std::span<const Finding> found) {
@@ -84,6 +92,10 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
   effect.alias_set = {effect.effect};
   if (is_one_signal)
     if (const auto twin = twin_of(finding)) effect.alias_set.push_back(*twin);
+  for (const Effect untried : untried_aliases(effect.effect, fit)) {
+    effect.alias_set.push_back(untried);
+    sum += 1.0;
+  }
   for (const Candidate& rival : finding.rivals) {
     if (rival.form.effect == effect.effect) continue;
     sum += std::exp(-std::max(best - rival.evidence, 0.0) / of_odds);

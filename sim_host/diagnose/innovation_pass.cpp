@@ -4,6 +4,7 @@
 
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/spindle_observer.hpp"
+#include "sim_host/diagnose/current_drive.hpp"
 #include "sim_host/support/tiny_numbers.hpp"
 
 namespace morepro::host {
@@ -45,7 +46,9 @@ struct SpindleMotion {
 template <class Observer>
 std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& model,
                                const Disturbances* disturbances) {
-  auto observer = std::make_unique<Observer>(model.machine, model.point, 1.0 / signals.rate_hz, model.noise);
+  const auto [machine, noise] = signals.is_current_driven ? current_source(model.machine, model.noise)
+                                                          : CurrentSource{model.machine, model.noise};
+  auto observer = std::make_unique<Observer>(machine, model.point, 1.0 / signals.rate_hz, noise);
   if (disturbances == nullptr) observer->leave_out_columns();
   for (std::size_t i = 0; disturbances != nullptr && i < disturbances->forms.size(); ++i)
     observer->terms().add(disturbances->forms[i],
@@ -79,6 +82,7 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
     observer->step(frame, *rows);
     innovation.sensor = 0;
     report(rows->speed, columns, innovation, on_innovation);
+    if (signals.is_current_driven) continue;
     innovation.sensor = 1;
     report(rows->current, columns, innovation, on_innovation);
   }

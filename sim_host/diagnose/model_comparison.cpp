@@ -134,7 +134,7 @@ std::vector<WatchedBalance> watched(Axis axis, const RecordingSignals& signals) 
     return {{gap::Balance::kFeedForce, 0, Channel::kFeedPosition}};
   }
   std::vector<WatchedBalance> balances{{gap::Balance::kSpindleTorque, 0, Channel::kSpindleSpeed}};
-  if (signals.has(Channel::kArmatureCurrent))
+  if (signals.has_electrics())
     balances.push_back({gap::Balance::kArmatureVoltage, 1, Channel::kArmatureCurrent});
   return balances;
 }

@@ -12,8 +12,8 @@ constexpr const char* kWithOffset =
     "only together with contact_offset_n, which is taken for the datasheet's; it needs different engagements";
 
 // Torque constant, friction and inertia have one common factor, which nothing but the contact torque fixes.
-constexpr std::size_t kOfTorque = 3;
 constexpr const char* kGivenContact = "as far as the contact torque of the machine file is right";
+constexpr const char* kNoVoltage = "it needs the armature voltage, which is not recorded";
 constexpr double kOneMotor = 0.05;  // by which the two constants of a motor may differ
 
 struct Named {
@@ -47,7 +47,17 @@ std::vector<Named> named(const AxisFit& fit) {
           {"contact_force_n", f0.contact_force_n, f.contact_force_n, "it needs contact on and off"}};
 }
 
+bool is_electric(const AxisFit& fit, std::size_t index) {
+  return fit.axis() == Axis::kSpindle && index >= static_cast<std::size_t>(kTorqueParameters);
+}
+
+/// Part of a balance that cannot be judged.
+bool is_unseen(const AxisFit& fit, std::size_t index) {
+  return fit.signals().is_current_driven && is_electric(fit, index);
+}
+
 double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
+  if (is_unseen(fit, index)) return kDatasheetSpread * std::fabs(refit);
   if (static_cast<Eigen::Index>(index) >= fit.standard_error().size()) return 0.0;
   const bool is_load = fit.axis() == Axis::kFeed && index == 2;
   if (is_load) return fit.standard_error()(fit.tells_engaged_load() ? 3 : 2);
@@ -57,7 +67,8 @@ double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
 /// What a value that the recording tells rests on beside the recording.
 std::string assumption_of(const AxisFit& fit, std::size_t index) {
   if (fit.axis() == Axis::kFeed) return index == 2 && !fit.tells_engaged_load() ? kWithOffset : "";
-  if (index >= kOfTorque) return "";
+  if (is_electric(fit, index)) return "";
+  if (!fit.signals().has_electrics()) return kGivenContact;
   const auto& s = fit.model().machine.spindle;
   const double ratio = s.torque_constant_nm_a / s.back_emf_constant_vs_rad;
   const bool is_one_motor = std::fabs(ratio - 1.0) < kOneMotor;
@@ -74,7 +85,9 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double error = standard_error_of(fit, i, all[i].refit);
     const bool is_told = error < kTold * std::fabs(all[i].refit) && all[i].refit != 0.0;
-    const std::string reason = is_told ? assumption_of(fit, i) : all[i].advice;
+    const std::string reason = is_unseen(fit, i) ? kNoVoltage
+                               : is_told         ? assumption_of(fit, i)
+                                                 : all[i].advice;
     results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told, reason});
   }
   return results;

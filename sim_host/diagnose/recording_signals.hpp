@@ -16,11 +16,13 @@ struct RecordingSignals {
   double start_s = 0.0;
   std::size_t rows = 0;          ///< of the grid
   std::size_t missing_rows = 0;  ///< of the grid, without a frame
-  bool is_thinned = false;     ///< neighbouring samples are farther apart than what shakes the machine lasts
-  std::uint16_t recorded = 0;  ///< bit_of(channel) of what was sampled at least once
+  bool is_thinned = false;  ///< neighbouring samples are farther apart than what shakes the machine lasts
+  bool is_current_driven = false;  ///< the spindle's voltage is not recorded, it follows from the current
+  std::uint16_t recorded = 0;      ///< bit_of(channel) of what was sampled at least once
   std::array<std::vector<float>, kChannelCount> value;  ///< NaN where there is no sample; empty where never
 
-  /// Temperatures freed of their sensors' noise; empty: as recorded.
+  /// Temperatures freed of their sensors' noise; empty: as recorded. A winding's that was not recorded may
+  /// follow from its current.
   std::vector<float> calm_tool_degc;
   std::vector<float> calm_winding_degc;
 
@@ -30,6 +32,8 @@ struct RecordingSignals {
   std::vector<double> turned_rad;
 
   [[nodiscard]] bool has(Channel channel) const { return (recorded & bit_of(channel)) != 0; }
+  /// Is there a current to be predicted from the voltage?
+  [[nodiscard]] bool has_electrics() const { return has(Channel::kArmatureCurrent) && !is_current_driven; }
   [[nodiscard]] double duration_s() const { return static_cast<double>(rows) / rate_hz; }
   [[nodiscard]] double time_s(std::size_t row) const { return static_cast<double>(row) / rate_hz; }
   [[nodiscard]] double cutting_time_at(double time_s) const;

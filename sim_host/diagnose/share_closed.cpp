@@ -44,8 +44,11 @@ void share_closed(std::span<const BalanceRows> balances, std::span<const Unnamed
     const double rows = std::max(static_cast<double>(balances[b].after.size() * kRowsPerWindow), 1.0);
     const bool has_gap = !(unnamed[b].unseen == 0.0);
     const double chance = has_gap ? kOneSided95 * std::sqrt(2.0 / (kOverlap * rows)) : 0.0;
-    likely.push_back(1.0 / (1.0 + unnamed[b].found / rows));
-    lowest.push_back((1.0 - chance) / (1.0 + (unnamed[b].found + unnamed[b].unseen) / rows));
+    // Structure without a name may be in the rows, too.
+    const double left =
+        std::max(has_gap ? mean_power(balances[b].after) : 1.0, 1.0 + unnamed[b].found / rows);
+    likely.push_back(1.0 / left);
+    lowest.push_back((1.0 - chance) / (left + unnamed[b].unseen / rows));
     highest.push_back(likely.back() * (1.0 + chance));
     chosen[b].resize(balances[b].held_out_before.size());
     std::iota(chosen[b].begin(), chosen[b].end(), 0);

@@ -7,6 +7,8 @@
 namespace morepro::host {
 namespace {
 
+constexpr const char* kNoVoltage = "not recorded: armature_voltage_v";
+
 /// The columns that are not recorded, one after the other.
 class Missing {
  public:
@@ -45,16 +47,22 @@ std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& sign
     return missing.need(Channel::kFeedForce).need_one_of(Channel::kFeedSpeed, Channel::kFeedPosition).text();
   }
   if (!machine.has_spindle) return "the machine file has no [spindle]";
+  if (balance == gap::Balance::kArmatureVoltage && signals.is_current_driven) return kNoVoltage;
   missing.need(Channel::kArmatureVoltage).need(Channel::kSpindleSpeed);
   if (balance == gap::Balance::kArmatureVoltage) missing.need(Channel::kArmatureCurrent);
   return missing.text();
 }
 
 std::string untested_effects(const RecordingSignals& signals, const MachineDescription& machine) {
+  if (signals.is_current_driven)
+    return fmt::format(
+        "{} is not recorded: the current drives the spindle; what acts on the voltage and how late the "
+        "current is shown are not looked for",
+        kChannels[index_of(Channel::kArmatureVoltage)].column);
   const bool is_evaluated = why_not_evaluated(gap::Balance::kArmatureVoltage, signals, machine).empty();
   if (!is_evaluated || signals.has(Channel::kWindingTemperature)) return "";
   return fmt::format(
-      "{} is not recorded: {} and {} are not looked for, and other effects may stand in for them",
+      "{} is not recorded: it is taken from the square of the current, and {} and {} have no size",
       kChannels[index_of(Channel::kWindingTemperature)].column,
       gap::name_of(gap::Effect::kResistanceTemperatureDrift),
       gap::name_of(gap::Effect::kMagnetTemperatureDrift));

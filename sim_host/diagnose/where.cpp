@@ -127,17 +127,6 @@ std::vector<GapCell> cells_of(Axis axis, const RecordingSignals& signals, const 
   return cells;
 }
 
-double mean_power(const std::vector<WindowPower>& windows) {
-  double sum = 0.0;
-  double rows = 0.0;
-  for (const WindowPower& window : windows)
-    for (std::size_t band = 0; band < kBands; ++band) {
-      sum += rows_of_band(band) * window.power[band];
-      rows += rows_of_band(band);
-    }
-  return rows > 0.0 ? sum / rows : 1.0;
-}
-
 BalanceResult balance_of(const BalanceRows& rows, const AxisDiagnosis& diagnosis) {
   BalanceResult result{.balance = rows.balance};
   result.is_evaluated = !rows.after.empty();
@@ -145,9 +134,10 @@ BalanceResult balance_of(const BalanceRows& rows, const AxisDiagnosis& diagnosis
     result.reason = "the recording is too short or has too many holes";
     return result;
   }
-  result.residual_ratio = mean_power(rows.before) / mean_power(rows.after);
+  result.residual_ratio = mean_power(rows.before);
+  result.residual_ratio_after = mean_power(rows.after);
   result.cells = cells_of(diagnosis.fit.axis(), diagnosis.fit.signals(), {rows.before, rows.after});
-  if (result.residual_ratio > kLeastGap) {
+  if (result.residual_ratio > kLeastGap * result.residual_ratio_after) {
     const std::vector<GapCell> orders = order_cells(rows.balance, diagnosis);
     result.cells.insert(result.cells.end(), orders.begin(), orders.end());
   }

@@ -7,9 +7,6 @@
 
 namespace morepro::host {
 
-/// Residual ratio of a balance in which effects act.
-inline constexpr double kLeastGap = 1.005;
-
 /// Residual ratio of the balances of one axis, as a whole and cell by cell.
 std::vector<BalanceResult> balances_of(const AxisDiagnosis& diagnosis, const std::vector<BalanceRows>& rows);
 

@@ -10,4 +10,9 @@ namespace morepro::host {
 std::vector<float> white_innovations(const GapStatistics& statistics, std::size_t sensor,
                                      const SensorWhitening& whitening);
 
+/// By how much whitened innovations could still be predicted from those before, of both sensors, as a
+/// deviance; 0 where chance does as much. Noise that lasts in a way that the observer does not know leaves
+/// this, and in closed loop any function of the machine's motion may take some of it.
+double predictable_deviance(const GapStatistics& statistics);
+
 }  // namespace morepro::host

@@ -18,6 +18,17 @@ Eigen::RowVectorXf test_function(int periods, bool is_sine) {
 
 }  // namespace
 
+double mean_power(const std::vector<WindowPower>& windows) {
+  double sum = 0.0;
+  double rows = 0.0;
+  for (const WindowPower& window : windows)
+    for (std::size_t band = 0; band < kBands; ++band) {
+      sum += rows_of_band(band) * window.power[band];
+      rows += rows_of_band(band);
+    }
+  return rows > 0.0 ? sum / rows : 1.0;
+}
+
 const Eigen::MatrixXf& test_functions() {
   static const Eigen::MatrixXf functions = [] {
     Eigen::MatrixXf phi(static_cast<Eigen::Index>(kRowsPerWindow), static_cast<Eigen::Index>(kWindowLength));

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace morepro::host {
 
@@ -23,6 +24,9 @@ struct WindowPower {
 /// Rows in a band: one without periods, else cosine and sine.
 constexpr double rows_of_band(std::size_t band) { return band == 0 ? 1.0 : 2.0; }
 constexpr std::size_t band_of_row(std::size_t row) { return (row + 1) / 2; }
+
+/// Over all rows of all windows; 1 without any.
+double mean_power(const std::vector<WindowPower>& windows);
 
 /// kRowsPerWindow x kWindowLength, of unit length each.
 const Eigen::MatrixXf& test_functions();

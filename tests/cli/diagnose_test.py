@@ -6,12 +6,14 @@ import unittest
 
 from program import ProgramTest
 
+DRIVE = ("spindle_speed_rad_s", "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
 SPINDLE = ("armature_voltage_v", "spindle_speed_rad_s")
 
 
 class Diagnose(ProgramTest):
     def simulate(self, *options, duration=6, profile="rich"):
-        self.must_do("simulate", "--profile", profile, "--duration", duration, "--seed", 5, *options, "--out", "run.csv")
+        seed = () if "--seed" in options else ("--seed", 5)
+        self.must_do("simulate", "--profile", profile, "--duration", duration, *seed, *options, "--out", "run.csv")
 
     def diagnose(self, *options, recording="run.csv"):
         done = self.must_do("diagnose", recording, "--bootstrap", 20, "--json", "-", *options)
@@ -128,11 +130,13 @@ class Verdicts(Diagnose):
         self.assertAlmostEqual(torque["refit"], 0.8 * 0.08, delta=0.002)
         self.assertIn("0.8 times the back-EMF constant", torque["reason"])
 
-    def test_says_which_effects_need_a_temperature_that_is_not_recorded(self):
-        self.simulate(duration=2)
-        self.keep_columns(*SPINDLE, "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
-        done = self.must_do("diagnose", "part.csv", "--bootstrap", 0)
-        self.assertIn("winding_temperature_degc is not recorded: resistance_temperature_drift", done.stderr)
+    def test_random_forces_that_last_are_no_effect_of_a_machine_that_hardly_moves(self):
+        for seed in (1, 2):
+            with self.subTest(seed=seed):
+                self.simulate("--process-noise", 1, "--datasheet-error", 0.2, "--machine-out", "wrong.toml",
+                              "--seed", seed, duration=8, profile="production")
+                result = self.diagnose("--machine", "wrong.toml")
+                self.assertEqual((result["verdict"], self.names(result)), ("parameter_error", []))
 
 
 class HalfAMachine(Diagnose):
@@ -148,6 +152,60 @@ class HalfAMachine(Diagnose):
         self.simulate()
         self.keep_columns(*SPINDLE, "contact", "chip_load_mm", "tool_temperature_degc")
         self.assertEqual(self.diagnose(recording="part.csv")["which"], [])
+
+    def test_a_spindle_without_its_voltage_is_driven_by_its_current(self):
+        self.simulate("--effect", "tool_wear_ramp=0.02", "--datasheet-error", 0.1, "--machine-out", "wrong.toml")
+        self.keep_columns(*DRIVE)
+        result = self.diagnose("--machine", "wrong.toml", "--apply", "found.toml", recording="part.csv")
+        self.assertEqual(self.names(result), ["tool_wear_ramp"])
+        self.assertAlmostEqual(result["which"][0]["magnitude"], 0.02, delta=0.001)
+        where = {balance["balance"]: balance for balance in result["where"]}
+        self.assertTrue(where["spindle_torque"]["significant"])
+        self.assertEqual(where["armature_voltage"]["reason"], "not recorded: armature_voltage_v")
+        parameters = {p["name"]: p for p in result["parameters"]}
+        self.assertAlmostEqual(parameters["inertia_kgm2"]["refit"], 1.2e-4, delta=2e-6)
+        for name in ("resistance_ohm", "back_emf_constant_vs_rad", "inductance_h"):
+            self.assertFalse(parameters[name]["identifiable"], name)
+            self.assertEqual(parameters[name]["refit"], parameters[name]["datasheet"], name)
+            line = next(line for line in (self.folder / "wrong.toml").read_text().splitlines() if name in line)
+            self.assertIn(line, (self.folder / "found.toml").read_text())
+
+    def test_a_wrong_current_that_drives_a_spindle_is_told_from_a_wrong_speed(self):
+        self.simulate("--effect", "current_bias=0.2")
+        self.keep_columns(*DRIVE)
+        result = self.diagnose(recording="part.csv")
+        self.assertEqual(self.names(result), ["current_bias"])
+        self.assertAlmostEqual(result["which"][0]["magnitude"], 0.2, delta=0.01)
+
+    def test_a_late_current_that_drives_a_spindle_is_no_sure_shaft(self):
+        self.simulate("--effect", "current_delay=3e-4")
+        self.keep_columns(*DRIVE)
+        done = self.must_do("diagnose", "part.csv", "--bootstrap", 0, "--json", "out.json")
+        self.assertIn("armature_voltage_v is not recorded: the current drives the spindle", done.stderr)
+        effect = json.loads((self.folder / "out.json").read_text())["which"][0]
+        self.assertIn("current_delay", effect["alias_set"])
+        self.assertLess(effect["confidence"], 0.5)
+
+    def test_a_winding_whose_temperature_is_not_recorded_is_heated_by_its_current(self):
+        for effect in ("resistance_temperature_drift=0.0039", "magnet_temperature_drift=-0.002"):
+            with self.subTest(effect):
+                self.simulate("--effect", effect, "--datasheet-error", 0.1, "--machine-out", "wrong.toml", duration=8)
+                self.keep_columns(*SPINDLE, "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
+                done = self.must_do("diagnose", "part.csv", "--machine", "wrong.toml", "--bootstrap", 0,
+                                    "--json", "out.json", "--apply", "found.toml")
+                self.assertIn("winding_temperature_degc is not recorded", done.stderr)
+                result = json.loads((self.folder / "out.json").read_text())
+                self.assertEqual(self.names(result), [effect.split("=")[0]])
+                self.assertIsNone(result["which"][0]["magnitude"])
+                self.assertIsNone(result["which"][0]["standard_error"])
+                self.assertIn(f"{effect.split('=')[0]} = undetermined", done.stdout)
+                # Without a size it is nothing that a model could have.
+                self.assertNotIn("[[effects]]", (self.folder / "found.toml").read_text())
+
+    def test_a_winding_whose_temperature_is_not_recorded_does_not_take_over(self):
+        self.simulate("--effect", "brush_voltage_drop=0.1")
+        self.keep_columns(*SPINDLE, "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
+        self.assertEqual(self.names(self.diagnose(recording="part.csv")), ["brush_voltage_drop"])
 
     def test_what_is_not_evaluated_says_what_it_lacks(self):
         self.simulate(duration=2)

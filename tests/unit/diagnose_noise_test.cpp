@@ -115,5 +115,35 @@ TEST(Whitening, DoesNotTakeItsMemoryFromAFewOutliers) {
   EXPECT_GT(whitening_of(statistics)[0].memory[0], 0.5 * clean[0]);
 }
 
+/// Innovations of both sensors, as an observer of the right noise leaves them.
+GapStatistics two_sensors(unsigned seed, std::size_t rows) {
+  GapStatistics statistics;
+  statistics.normalised = {white(seed, rows), white(seed + 1000, rows)};
+  for (auto& contact : statistics.in_contact) contact.assign(rows, false);
+  return statistics;
+}
+
+TEST(PredictableDeviance, IsNothingInWhiteNoise) {
+  for (unsigned seed = 1; seed <= 50; ++seed) EXPECT_EQ(predictable_deviance(two_sensors(seed, 20000)), 0.0);
+}
+
+TEST(PredictableDeviance, SeesWhatOneSensorSaysOfTheOtherLater) {
+  constexpr std::size_t kRows = 100000;
+  constexpr float kShare = 0.05F;
+  auto statistics = two_sensors(3, kRows);
+  auto& [speed, current] = statistics.normalised;
+  for (std::size_t i = kRows; i-- > 5;) current[i] += kShare * speed[i - 5];
+  // n rho^2 = 250, a noncentral chi-square that spreads by 32, less four deviations of 96 chi-squares, 55.
+  EXPECT_NEAR(predictable_deviance(statistics), 250.0 - 55.0, 4.0 * 35.0);
+  EXPECT_GT(predictable_deviance(statistics), 0.0);
+}
+
+TEST(PredictableDeviance, DoesWithoutASensor) {
+  auto statistics = two_sensors(4, 20000);
+  statistics.normalised[1].clear();
+  statistics.in_contact[1].clear();
+  EXPECT_EQ(predictable_deviance(statistics), 0.0);
+}
+
 }  // namespace
 }  // namespace morepro::host

@@ -1,0 +1,87 @@
+#include "sim_host/diagnose/winding_heat.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "sim_host/diagnose/axis_fit.hpp"
+#include "sim_host/diagnose/effect_search.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kAmbientDegc = 25.0;
+constexpr double kHottestK = 10.0;
+// A winding takes some seconds, an iron core minutes: in a recording of seconds that is the heat so far.
+constexpr std::array kTimesS{1.0, 3.0, 10.0, 30.0, 600.0};
+constexpr std::array kFinerFactors{1.6, 0.625, 1.25, 0.8};
+constexpr int kRounds = 2;
+
+std::vector<float> heated(const RecordingSignals& signals, double time_s) {
+  const auto& current_a = signals.value[index_of(Channel::kArmatureCurrent)];
+  const double share = -std::expm1(-1.0 / (time_s * signals.rate_hz));
+  std::vector<double> heat(signals.rows, 0.0);
+  double now = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < signals.rows; ++i) {
+    heat[i] = now;
+    if (i < current_a.size() && !std::isnan(current_a[i]))
+      square = std::pow(static_cast<double>(current_a[i]), 2);
+    now += share * (square - now);
+  }
+  const double hottest = std::max(*std::max_element(heat.begin(), heat.end()), 1.0e-300);
+  std::vector<float> winding_degc(signals.rows);
+  for (std::size_t i = 0; i < signals.rows; ++i)
+    winding_degc[i] = static_cast<float>(kAmbientDegc + kHottestK * heat[i] / hottest);
+  return winding_degc;
+}
+
+/// How much the best drift would explain beside the model of a fit to the same recording without heat.
+double evidence_of_drifts(const AxisFit& without, const RecordingSignals& signals) {
+  using gap::Effect;
+  const std::vector<gap::EffectForm> drifts{
+      {.effect = Effect::kResistanceTemperatureDrift, .kind = 0, .parts = 1, .shape = 0.0F},
+      {.effect = Effect::kMagnetTemperatureDrift, .kind = 0, .parts = 1, .shape = 0.0F},
+      {.effect = Effect::kMagnetTemperatureDrift, .kind = 1, .parts = 1, .shape = 0.0F}};
+  AxisFit fit(Axis::kSpindle, signals, without.datasheet());
+  fit.narrow_down();
+  fit.model() = without.model();
+  fit.set_whitening(without.whitening());
+  const auto ranked = rank_candidates(fit, fit.collect_with_each(drifts), drifts);
+  return ranked.empty() ? -1.0e300 : ranked.front().evidence;
+}
+
+}  // namespace
+
+void heat_winding_by_current(RecordingSignals& signals, const GapModel& datasheet) {
+  if (signals.has(Channel::kWindingTemperature) || !signals.has_electrics() || signals.rows == 0 ||
+      !signals.has(Channel::kArmatureVoltage) || !signals.has(Channel::kSpindleSpeed))
+    return;
+  AxisFit without(Axis::kSpindle, signals, datasheet);
+  without.narrow_down();
+  without.settle(kRounds);
+  RecordingSignals tried = signals;
+  const auto evidence_with = [&](double time_s) {
+    tried.calm_winding_degc = heated(signals, time_s);
+    return evidence_of_drifts(without, tried);
+  };
+  double best_s = kTimesS.front();
+  double best = evidence_with(best_s);
+  const auto try_time = [&](double time_s) {
+    const double evidence = evidence_with(time_s);
+    if (!(evidence > best)) return;
+    best = evidence;
+    best_s = time_s;
+  };
+  for (const double time_s : kTimesS) try_time(time_s);
+  for (const double factor : kFinerFactors) try_time(factor * best_s);
+  signals.calm_winding_degc = heated(signals, best_s);
+}
+
+bool has_no_size(gap::Effect effect, const RecordingSignals& signals) {
+  return !signals.has(Channel::kWindingTemperature) && (effect == gap::Effect::kResistanceTemperatureDrift ||
+                                                        effect == gap::Effect::kMagnetTemperatureDrift);
+}
+
+}  // namespace morepro::host
