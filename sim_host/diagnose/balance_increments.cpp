@@ -37,13 +37,12 @@ bool has_holes(const RecordingSignals& signals) {
 std::optional<RecordingSignals> bridged(const RecordingSignals& with_holes) {
   if (!has_holes(with_holes)) return std::nullopt;
   RecordingSignals signals = with_holes;
-  constexpr std::size_t kLongestHole = 8;
   for (const Channel channel : kSampled) {
     auto& column = signals.value[index_of(channel)];
     std::size_t last = column.size();  // that was measured
     for (std::size_t i = 0; i < column.size(); ++i) {
       if (std::isnan(column[i])) continue;
-      if (last < i && i - last <= kLongestHole + 1)
+      if (last < i && i - last <= kLongestBridge + 1)
         for (std::size_t k = last + 1; k < i; ++k)
           column[k] =
               std::lerp(column[last], column[i], static_cast<float>(k - last) / static_cast<float>(i - last));

@@ -45,12 +45,6 @@ void hide_what_is_not_driven(const RecordingSignals& signals, gap::GapFrame<floa
   if (!signals.has(Channel::kFeedForce)) frame.has_feed_speed = frame.has_feed_position = false;
 }
 
-bool is_missing(const RecordingSignals& signals, std::size_t row) {
-  return std::all_of(signals.value.begin(), signals.value.end(), [row](const std::vector<float>& column) {
-    return column.empty() || !(column[row] == column[row]);
-  });
-}
-
 GapVerdict verdict_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::kNoGap:

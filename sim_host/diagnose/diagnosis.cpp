@@ -173,7 +173,7 @@ class Diagnosis {
     result_.bootstrap_runs = options_.bootstrap_runs;
     result_.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
     const bool has_effect = named > 0.0 || !faults_.empty();
-    if (!faults_.empty()) unnamed = 0.0;  // what a faulty sampling leaves is no structure of the machine
+    if (leaves_structure(faults_)) unnamed = 0.0;
     if (outcomes_.empty() || !has_excitation)
       result_.verdict = Verdict::kInsufficientExcitation;
     else if (unnamed > kUnexplainedShare * (known + named + unnamed))

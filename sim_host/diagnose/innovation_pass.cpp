@@ -79,6 +79,7 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
     Innovation innovation{.row = frames.row()};
     const auto frame = frames.next();
     innovation.in_contact = frame.input.contact != 0.0;
+    if (frames.has_lost_track()) observer->restart();
     observer->step(frame, *rows);
     innovation.sensor = 0;
     report(rows->speed, columns, innovation, on_innovation);
@@ -102,6 +103,7 @@ void run_feed(const RecordingSignals& signals, const GapModel& model, const Dist
     const auto frame = frames.next();
     innovation.in_contact = frame.input.contact != 0.0;
     spindle.take(frame);
+    if (frames.has_lost_track()) observer->restart();
     observer->step(frame, spindle.speed_rad_s, spindle.angle_rad, *rows);
     innovation.sensor = 0;
     report(rows->position, columns, innovation, on_innovation);
@@ -130,7 +132,9 @@ EffectTrace trace_effects(Axis axis, const RecordingSignals& signals, const GapM
     using Observer = Spindle<0, kMostApplied>;
     const std::shared_ptr<Observer> observer = make<Observer>(signals, model, nullptr);
     return [observer, frames, rows = typename Observer::Rows{}]() mutable {
-      observer->step(frames.next(), rows);
+      const auto frame = frames.next();
+      if (frames.has_lost_track()) observer->restart();
+      observer->step(frame, rows);
       return EffectsOfRow{observer->added(), observer->shown()};
     };
   }
@@ -139,6 +143,7 @@ EffectTrace trace_effects(Axis axis, const RecordingSignals& signals, const GapM
   return [observer, frames, rows = typename Observer::Rows{}, spindle = SpindleMotion(signals)]() mutable {
     const auto frame = frames.next();
     spindle.take(frame);
+    if (frames.has_lost_track()) observer->restart();
     observer->step(frame, spindle.speed_rad_s, spindle.angle_rad, rows);
     return EffectsOfRow{observer->added(), observer->shown()};
   };

@@ -8,7 +8,7 @@ namespace morepro::host {
 /// Fits of the model without effects that a search may begin with, one or two, the likelier one first.
 /// `start` has the datasheet's parameters. Two ways lead there: process noise that is fitted to a datasheet
 /// far off leaves the parameters where they are, and parameters that are fitted without any bend to what it
-/// does.
+/// does. Where neither end leaves noise only, an observer that looks one step ahead may still find one.
 std::vector<AxisFit> nominal_fits(const AxisFit& start);
 
 }  // namespace morepro::host

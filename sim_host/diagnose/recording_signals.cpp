@@ -68,6 +68,12 @@ double RecordingSignals::first_position_m() const {
   return 0.0;
 }
 
+bool is_missing(const RecordingSignals& signals, std::size_t row) {
+  return std::all_of(signals.value.begin(), signals.value.end(), [row](const std::vector<float>& column) {
+    return column.empty() || std::isnan(column[row]);
+  });
+}
+
 void follow_motion(RecordingSignals& signals) {
   if (!signals.has(Channel::kSpindleAngle))
     signals.turned_rad = way(signals.value[index_of(Channel::kSpindleSpeed)], signals.rate_hz);
@@ -154,6 +160,7 @@ void FrameSource::follow(Channel channel, const std::vector<float>& calm, double
 
 gap::GapFrame<double> FrameSource::next() {
   gap::GapFrame<double> frame;
+  missing_ = signals_.missing_rows > 0 && is_missing(signals_, row_) ? missing_ + 1 : 0;
   held(Channel::kArmatureVoltage, input_.armature_voltage_v);
   held(Channel::kFeedForce, input_.feed_force_n);
   held(Channel::kContact, input_.contact);

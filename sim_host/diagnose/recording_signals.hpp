@@ -41,6 +41,12 @@ struct RecordingSignals {
   [[nodiscard]] double first_position_m() const;
 };
 
+/// Rows that inputs and balances are bridged over; over a longer hole nobody knows what drove the machine.
+inline constexpr std::size_t kLongestBridge = 8;
+
+/// Is there nothing in a row of the grid?
+bool is_missing(const RecordingSignals& signals, std::size_t row);
+
 /// Rows [first, last) of a recording.
 struct Stretch {
   std::size_t first = 0;
@@ -80,6 +86,8 @@ class FrameSource {
   /// Row by row.
   gap::GapFrame<double> next();
   [[nodiscard]] std::size_t row() const { return row_; }
+  /// Have more rows been missing, up to the last frame, than inputs are held over?
+  [[nodiscard]] bool has_lost_track() const { return missing_ > kLongestBridge; }
 
  private:
   double held(Channel channel, double& value) const;
@@ -88,6 +96,7 @@ class FrameSource {
 
   const RecordingSignals& signals_;
   std::size_t row_ = 0;
+  std::size_t missing_ = 0;  ///< rows in a row
   double cutting_time_s_ = 0.0;
   PlantInput<double> input_;
   double winding_degc_;

@@ -41,6 +41,19 @@ double step_of(const std::vector<float>& column) {
   return 20 * fitting >= 19 * (values.size() - 1) ? step : 0.0;
 }
 
+/// Samples that are missing now and then. A sensor or a link that is away for a while drops none.
+std::size_t dropped(const std::vector<float>& column) {
+  std::size_t count = 0;
+  std::size_t missing = 0;
+  for (const float value : column) {
+    const bool is_here = value == value;
+    if (is_here && missing <= kLongestBridge) count += missing;
+    missing = is_here ? 0 : missing + 1;
+  }
+  if (missing <= kLongestBridge) count += missing;
+  return count;
+}
+
 }  // namespace
 
 std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors) {
@@ -99,18 +112,20 @@ std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Senso
         signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
   }
   std::size_t holes = 0;
-  for (const Channel channel : kNoisyChannels) {
-    if (!signals.has(channel)) continue;
-    const auto& column = signals.value[index_of(channel)];
-    const auto count = static_cast<std::size_t>(
-        std::count_if(column.begin(), column.end(), [](float value) { return !(value == value); }));
-    holes = std::max(holes, count);
-  }
+  for (const Channel channel : kNoisyChannels)
+    if (signals.has(channel)) holes = std::max(holes, dropped(signals.value[index_of(channel)]));
   const double fraction = static_cast<double>(std::max(holes, repeated)) /
                           static_cast<double>(std::max<std::size_t>(signals.rows, 1));
   if (fraction < kLeastFraction || fraction > 0.9) return std::nullopt;
   const double error = std::sqrt(fraction * (1.0 - fraction) / static_cast<double>(signals.rows));
   return SamplingFault{gap::Effect::kSampleDropout, Channel::kSpindleSpeed, fraction, error, kCertain};
+}
+
+bool leaves_structure(const std::vector<SamplingFault>& faults) {
+  constexpr double kFewSamples = 0.01;
+  return std::any_of(faults.begin(), faults.end(), [](const SamplingFault& fault) {
+    return fault.effect != gap::Effect::kSampleDropout || fault.size > kFewSamples;
+  });
 }
 
 }  // namespace morepro::host

@@ -15,6 +15,15 @@ class Diagnose(ProgramTest):
         seed = () if "--seed" in options else ("--seed", 5)
         self.must_do("simulate", "--profile", profile, "--duration", duration, *seed, *options, "--out", "run.csv")
 
+    def lose_rows(self, *gaps_s):
+        """Takes the rows of these times out of run.csv."""
+        def is_there(line):
+            first = line.split(",")[0]
+            is_row = first[:1].isdigit()
+            return not is_row or not any(begin <= float(first) < end for begin, end in gaps_s)
+        lines = (self.folder / "run.csv").read_text().splitlines()
+        self.write("run.csv", "\n".join(line for line in lines if is_there(line)) + "\n")
+
     def diagnose(self, *options, recording="run.csv"):
         done = self.must_do("diagnose", recording, "--bootstrap", 20, "--json", "-", *options)
         return json.loads(done.stdout)
@@ -129,6 +138,26 @@ class Verdicts(Diagnose):
         torque = {p["name"]: p for p in result["parameters"]}["torque_constant_nm_a"]
         self.assertAlmostEqual(torque["refit"], 0.8 * 0.08, delta=0.002)
         self.assertIn("0.8 times the back-EMF constant", torque["reason"])
+
+    def test_a_link_that_was_away_is_no_effect_and_hides_none(self):
+        for effects in ([], ["contact_speed_dependence"]):
+            with self.subTest(effects):
+                sizes = [word for name in effects for word in ("--effect", f"{name}=0.05")]
+                self.simulate(*sizes, "--datasheet-error", 0.1, "--machine-out", "wrong.toml")
+                self.lose_rows((2.5, 2.6), (4.3, 4.42))
+                result = self.diagnose("--machine", "wrong.toml")
+                self.assertEqual(self.names(result), effects)
+                for parameter in result["parameters"]:
+                    if parameter["name"] == "inertia_kgm2":
+                        self.assertAlmostEqual(parameter["refit"], 1.2e-4, delta=4 * parameter["standard_error"])
+
+    def test_wrong_values_are_found_beside_random_forces(self):
+        # A fit that begins with an observer of long memory ends at 0.48 ohm.
+        self.simulate("--process-noise", 1, "--datasheet-error", 0.2, "--machine-out", "wrong.toml", "--seed", 3,
+                      duration=8, profile="production")
+        result = self.diagnose("--machine", "wrong.toml")
+        resistance = next(p for p in result["parameters"] if p["name"] == "resistance_ohm")
+        self.assertAlmostEqual(resistance["refit"], 0.8, delta=0.01)
 
     def test_random_forces_that_last_are_no_effect_of_a_machine_that_hardly_moves(self):
         for seed in (1, 2):
