@@ -2,30 +2,83 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace morepro::host {
 namespace {
 
 constexpr double kWindingDegc = 25.0;
-constexpr double kCalmS = 0.004;  // over so long before and after a sample a temperature is averaged
+constexpr double kCalmS =
+    0.004;  // over so long before and after a sample a temperature is averaged, at least
+constexpr double kCalmestS = 1.0;
+constexpr double kSurely = 3.0;  // standard deviations
 
-/// Means over up to `reach` samples on either side, the same number of both.
-std::vector<float> calm(const std::vector<float>& value, std::size_t reach) {
-  std::vector<double> sum(value.size() + 1, 0.0);
-  std::vector<std::uint32_t> count(value.size() + 1, 0);
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const bool is_sample = !std::isnan(value[i]);
-    sum[i + 1] = sum[i] + (is_sample ? static_cast<double>(value[i]) : 0.0);
-    count[i + 1] = count[i] + (is_sample ? 1 : 0);
+/// Means over samples on either side, the same number of both.
+class Means {
+ public:
+  explicit Means(const std::vector<float>& value) : sum_(value.size() + 1), count_(value.size() + 1) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const bool is_sample = !std::isnan(value[i]);
+      sum_[i + 1] = sum_[i] + (is_sample ? static_cast<double>(value[i]) : 0.0);
+      count_[i + 1] = count_[i] + (is_sample ? 1 : 0);
+    }
   }
-  std::vector<float> mean(value.size());
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const std::size_t side = std::min({reach, i, value.size() - 1 - i});
-    const std::size_t first = i - side, last = i + side + 1;
-    const double samples = static_cast<double>(count[last] - count[first]);
-    mean[i] = std::isnan(value[i]) ? value[i] : static_cast<float>((sum[last] - sum[first]) / samples);
+
+  [[nodiscard]] std::size_t widest(std::size_t row) const { return std::min(row, sum_.size() - 2 - row); }
+  [[nodiscard]] double samples(std::size_t row, std::size_t reach) const {
+    return static_cast<double>(count_[row + reach + 1] - count_[row - reach]);
   }
-  return mean;
+  [[nodiscard]] double mean(std::size_t row, std::size_t reach) const {
+    return (sum_[row + reach + 1] - sum_[row - reach]) / samples(row, reach);
+  }
+
+ private:
+  std::vector<double> sum_;
+  std::vector<std::uint32_t> count_;
+};
+
+/// Variance of a sensor's noise, from what a straight line through its neighbours leaves of a sample.
+double noise_variance(const std::vector<float>& value) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+    const double bend = static_cast<double>(value[i - 1]) - 2.0 * static_cast<double>(value[i]) +
+                        static_cast<double>(value[i + 1]);
+    if (std::isnan(bend)) continue;
+    sum += bend * bend;
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / (6.0 * count) : 0.0;
+}
+
+/// Means over ever more samples, as long as they agree with all shorter ones (Lepski): what rests is known as
+/// well as it can be, and what begins to heat is not smeared.
+std::vector<float> calm(const std::vector<float>& value, double rate_hz) {
+  const Means means(value);
+  const double variance = noise_variance(value);
+  const auto least = static_cast<std::size_t>(kCalmS * rate_hz);
+  const auto most = static_cast<std::size_t>(kCalmestS * rate_hz);
+  std::vector<float> result = value;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (std::isnan(value[i])) continue;
+    const std::size_t widest = std::min(most, means.widest(i));
+    std::size_t reach = std::min(least, widest);
+    double mean = means.mean(i, reach);
+    double lowest = -std::numeric_limits<double>::infinity();
+    double highest = std::numeric_limits<double>::infinity();
+    for (;;) {
+      const double doubt = kSurely * std::sqrt(variance / means.samples(i, reach));
+      lowest = std::max(lowest, mean - doubt);
+      highest = std::min(highest, mean + doubt);
+      reach = 2 * std::max<std::size_t>(reach, 1);
+      if (reach > widest) break;
+      const double wider = means.mean(i, reach);
+      if (wider < lowest || wider > highest) break;
+      mean = wider;
+    }
+    result[i] = static_cast<float>(mean);
+  }
+  return result;
 }
 
 /// Integral of a held input before each row; where it is missing it stays as it was.
@@ -82,9 +135,8 @@ void follow_motion(RecordingSignals& signals) {
 }
 
 void calm_temperatures(RecordingSignals& signals) {
-  const auto reach = static_cast<std::size_t>(kCalmS * signals.rate_hz);
-  signals.calm_tool_degc = calm(signals.value[index_of(Channel::kToolTemperature)], reach);
-  signals.calm_winding_degc = calm(signals.value[index_of(Channel::kWindingTemperature)], reach);
+  signals.calm_tool_degc = calm(signals.value[index_of(Channel::kToolTemperature)], signals.rate_hz);
+  signals.calm_winding_degc = calm(signals.value[index_of(Channel::kWindingTemperature)], signals.rate_hz);
 }
 
 void count_cutting_time(RecordingSignals& signals) {

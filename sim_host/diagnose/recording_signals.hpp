@@ -71,7 +71,8 @@ void follow_motion(RecordingSignals& signals);
 RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor);
 
 /// Fills in the calm temperatures: as factors of a torque their noise would be taken for something that
-/// follows the temperature. Means over as many samples before as after, so that nothing lags behind.
+/// follows the temperature. Means over as many samples before as after, so that nothing lags behind, from
+/// 4 ms up to a second where the temperature rests.
 void calm_temperatures(RecordingSignals& signals);
 
 /// Turns the rows of a recording into what the observers take: held inputs stay where they are missing,

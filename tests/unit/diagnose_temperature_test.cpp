@@ -35,15 +35,35 @@ TEST(CalmTemperature, DoesNotLagBehindAToolThatHeats) {
         << row;
 }
 
-// 81 samples: a ninth of the noise; the standard deviation of 1840 of them, of which some 23 are independent,
-// is known to 15 %.
-TEST(CalmTemperature, HasANinthOfTheNoise) {
+double deviation(const RecordingSignals& signals, std::size_t first, std::size_t last, double from) {
+  double squares = 0.0;
+  for (std::size_t row = first; row < last; ++row)
+    squares += std::pow(static_cast<double>(signals.calm_tool_degc[row]) - from, 2);
+  return std::sqrt(squares / static_cast<double>(last - first));
+}
+
+// Up to 641 of 2000 samples: a 25th of the noise. With 81 of them, some law of the temperature explained what
+// the noise did to the torque.
+TEST(CalmTemperature, IsWithoutNoiseWhereItRests) {
   RecordingSignals signals = heating(0.0, 0.9);
   calm_temperatures(signals);
-  double squares = 0.0;
-  for (std::size_t row = 80; row < kRows - 80; ++row)
-    squares += std::pow(static_cast<double>(signals.calm_tool_degc[row]) - 20.0, 2);
-  EXPECT_NEAR(std::sqrt(squares / (kRows - 160)), 0.1, 0.05);
+  EXPECT_LT(deviation(signals, 320, kRows - 320, 20.0), 0.9 / 15.0);
+}
+
+// Means that do not agree are not taken: 41 samples of the ramp in a mean of 81 are 2 degC, at the very bend.
+TEST(CalmTemperature, IsNotSmearedWhereHeatingBegins) {
+  constexpr std::size_t kBegin = 1000;
+  constexpr double kSlopeDegcS = 2000.0;
+  RecordingSignals signals = heating(0.0, 0.5);
+  auto& tool = signals.value[index_of(Channel::kToolTemperature)];
+  for (std::size_t row = kBegin; row < kRows; ++row)
+    tool[row] += static_cast<float>(kSlopeDegcS * static_cast<double>(row - kBegin) / kRateHz);
+  calm_temperatures(signals);
+  for (std::size_t row = 0; row < kRows; ++row) {
+    const double heated = row < kBegin ? 0.0 : kSlopeDegcS * static_cast<double>(row - kBegin) / kRateHz;
+    const bool is_bend = row + 80 > kBegin && row < kBegin + 80;
+    ASSERT_NEAR(static_cast<double>(signals.calm_tool_degc[row]) - 20.0, heated, is_bend ? 3.0 : 0.6) << row;
+  }
 }
 
 TEST(CalmTemperature, IsMissingWhereItsSampleIs) {
