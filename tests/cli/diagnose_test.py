@@ -206,6 +206,16 @@ class HalfAMachine(Diagnose):
         self.assertEqual(self.names(result), ["current_bias"])
         self.assertAlmostEqual(result["which"][0]["magnitude"], 0.2, delta=0.01)
 
+    def test_a_current_that_drives_a_spindle_is_found_again_behind_lost_rows(self):
+        # What it changed by is not known there: only the sensor tells.
+        self.simulate("--effect", "current_bias=0.2")
+        self.keep_columns(*DRIVE)
+        lines = (self.folder / "part.csv").read_text().splitlines()
+        self.write("part.csv", "\n".join(line for i, line in enumerate(lines) if i < 40 or i * 7919 % 25) + "\n")
+        found = {effect["effect"]: effect for effect in self.diagnose(recording="part.csv")["which"]}
+        self.assertEqual(set(found), {"sample_dropout", "current_bias"})
+        self.assertAlmostEqual(found["current_bias"]["magnitude"], 0.2, delta=0.02)
+
     def test_a_late_current_that_drives_a_spindle_is_no_sure_shaft(self):
         self.simulate("--effect", "current_delay=3e-4")
         self.keep_columns(*DRIVE)

@@ -55,6 +55,32 @@ TEST(SamplingChecks, CountTheRowsThatAreMissing) {
               1.0e-9);
 }
 
+// A link that was away for 0.1 s lost as many samples as one that drops one in a hundred.
+TEST(SamplingChecks, TakeNoLongHoleForLostSamples) {
+  RecordingSignals signals = record(short_run({}));
+  for (auto& column : signals.value)
+    for (std::size_t row = 5000; !column.empty() && row < 6000; ++row)
+      column[row] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(find_dropout(signals, reference_sensors()).has_value());
+  for (auto& column : signals.value)
+    for (std::size_t row = 0; !column.empty() && row < 5000; row += 50)
+      column[row] = std::numeric_limits<float>::quiet_NaN();
+  const auto fault = find_dropout(signals, reference_sensors());
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_NEAR(fault->size, 100.0 / static_cast<double>(signals.rows), 1.0e-9);
+}
+
+TEST(SamplingChecks, KnowThatAFewLostSamplesLeaveNoStructure) {
+  const auto lost = [](double share) {
+    return std::vector{SamplingFault{Effect::kSampleDropout, Channel::kSpindleSpeed, share, 0.0, 0.0}};
+  };
+  EXPECT_FALSE(leaves_structure({}));
+  EXPECT_FALSE(leaves_structure(lost(0.002)));
+  EXPECT_TRUE(leaves_structure(lost(0.05)));
+  EXPECT_TRUE(
+      leaves_structure({SamplingFault{Effect::kSensorQuantization, Channel::kFeedSpeed, 20.0, 0.0, 0.0}}));
+}
+
 TEST(SamplingChecks, TakeRepeatedRowsOutOfTheRecording) {
   RecordingSignals signals = record(short_run({}));
   for (std::size_t row = 50; row < signals.rows; row += 50)
