@@ -46,11 +46,21 @@ void take_functions(const AxisFit& fit, const std::vector<gap::EffectForm>& form
   if (leftover.gain > 0.0) leftover.torque_share = torque / leftover.gain;
 }
 
+constexpr double kTurn = 6.283185307179586;
+
+/// That no instant covers more than one of: one in several bins would look like a line.
+double bins_per_turn(const RecordingSignals& signals) {
+  constexpr double kMostBins = 24.0;
+  double fastest_rad_s = 0.0;
+  for (const float speed : signals.value[index_of(Channel::kSpindleSpeed)])
+    if (speed == speed) fastest_rad_s = std::max(fastest_rad_s, std::fabs(static_cast<double>(speed)));
+  return std::min(kMostBins, kTurn * signals.rate_hz / std::max(fastest_rad_s, 1.0e-9));
+}
+
 /// White innovations over the angle of the spindle: sums over equal turns, in units of their standard
 /// deviation.
 std::vector<float> over_angle(const std::vector<float>& white, const RecordingSignals& signals) {
-  constexpr double kBinsPerTurn = 24.0;
-  constexpr double kTurn = 6.283185307179586;
+  const double bins_per_rad = bins_per_turn(signals) / kTurn;
   const auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
   std::vector<float> bins;
   double angle = 0.0;
@@ -59,12 +69,12 @@ std::vector<float> over_angle(const std::vector<float>& white, const RecordingSi
   const std::size_t skipped = signals.rows - std::min(signals.rows, white.size());
   for (std::size_t i = 0; i < white.size(); ++i) {
     const float w = speed.empty() ? 0.0F : speed[std::min(i + skipped, speed.size() - 1)];
-    if (w == w) angle += std::fabs(static_cast<double>(w)) / signals.rate_hz * kBinsPerTurn / kTurn;
+    if (w == w) angle += std::fabs(static_cast<double>(w)) / signals.rate_hz * bins_per_rad;
     sum += static_cast<double>(white[i]);
     count += 1.0;
     if (angle < 1.0) continue;
-    // An instant that covers several bins is in all of them.
-    for (; angle >= 1.0; angle -= 1.0) bins.push_back(static_cast<float>(sum / std::sqrt(count)));
+    bins.push_back(static_cast<float>(sum / std::sqrt(count)));
+    angle -= 1.0;
     sum = count = 0.0;
   }
   return bins;

@@ -139,6 +139,14 @@ class Verdicts(Diagnose):
         self.assertAlmostEqual(torque["refit"], 0.8 * 0.08, delta=0.002)
         self.assertIn("0.8 times the back-EMF constant", torque["reason"])
 
+    def test_slow_sampling_is_no_gap(self):
+        # An instant that covers several bins of a turn looked like a line over the angle.
+        for rate_hz, seed in ((1000, 2), (1000, 3), (250, 1)):
+            with self.subTest(rate_hz=rate_hz, seed=seed):
+                self.simulate("--rate", rate_hz, "--seed", seed, duration=20)
+                result = self.diagnose()
+                self.assertEqual((result["verdict"], self.names(result)), ("no_gap", []))
+
     def test_a_link_that_was_away_is_no_effect_and_hides_none(self):
         for effects in ([], ["contact_speed_dependence"]):
             with self.subTest(effects):
