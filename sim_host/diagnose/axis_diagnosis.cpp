@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "lib/gap/dry_friction.hpp"
 #include "sim_host/diagnose/candidate_forms.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
+#include "sim_host/diagnose/effect_trial.hpp"
 #include "sim_host/diagnose/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -19,9 +19,7 @@ namespace {
 constexpr double kNearlyAsGood = 0.6;
 constexpr std::size_t kMostRivals = 3;
 constexpr std::size_t kMostTrials = 6;  // where those before them turn out to be worth nothing
-constexpr int kDuelRounds = 2;          // what a settled model needs to settle with one effect more or less
 constexpr std::size_t kMostEffects = 4;
-constexpr double kBent = 0.6;  // relative deviation of a parameter that no datasheet has
 // Standard error over size. What is worth its evidence is known to a seventh; a size that is not known at all
 // let the parameters settle elsewhere, and that was its worth.
 constexpr double kVague = 0.5;
@@ -29,22 +27,7 @@ constexpr double kLeastShareOfFamily = 0.08;
 // Beside an effect that the machine file states, with the shape that a recording has given it.
 constexpr double kLeastShareOfKnown = 0.02;
 
-/// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
-/// delay has no such beginning; it starts with the size that was found.
-gap::AppliedEffect beginning_of(const Candidate& candidate) {
-  gap::AppliedEffect effect{.form = candidate.form, .coefficient = {}, .onset_s = candidate.onset_s};
-  if (gap::size_is_shape(effect.form.effect) && effect.form.parts == 1) effect.coefficient[0] = 1.0;
-  return effect;
-}
-
-/// Where a noisy speed changes its sign all the time, the width in which friction does so looks too wide.
-constexpr bool has_blurred_shape(gap::Effect effect) {
-  return gap::is_dry_friction(effect) && !gap::is_stribeck(effect);
-}
-
-// Shares of the shape that a linearisation shows.
-constexpr float kNoWider = 1.0F;
-constexpr float kAnyRange = 3.0F;
+constexpr float kAnyRange = 3.0F;  // share of the shape that a linearisation shows
 
 /// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the
 /// recording says otherwise clearly.
@@ -117,7 +100,7 @@ class Search {
     collect_rest();
     auto ranked = rank_candidates(fit_, diagnosis_.rest, diagnosis_.others);
     let_set_in(fit_, diagnosis_.rest, ranked);
-    if (is_bent()) prefer_by_datasheet(ranked);
+    if (is_bent(fit_)) prefer_by_datasheet(ranked);
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
@@ -137,10 +120,10 @@ class Search {
   /// Puts the best candidates into the model, each for itself, with everything refitted: the evidence of a
   /// linearisation does not tell a delay from a lag. Returns the fit of the best, which is then in front.
   AxisFit duel(std::vector<Candidate>& ranked) const {
-    const double before = fit_.unlikeliness();
+    const AxisFit::Rival without = fit_.as_rival();
     for (Candidate& rival : ranked) rival.promised = rival.evidence;
     const double promised_most = ranked.front().evidence;
-    std::vector<Trial> trials = sure_trials(ranked);
+    std::vector<EffectTrial> trials = sure_trials(ranked, without);
     const std::size_t sure = trials.size();
     double best = 0.0;
     double kept = 1.0;  // of what the linearisation promised to the best
@@ -151,12 +134,12 @@ class Search {
           rival.evidence *= kept;
           continue;
         }
-        trials.push_back(trial_of(rival));
+        trials.push_back(try_effect(fit_, rival, without));
       }
-      const Trial& trial = i < sure ? trials[i] : trials.back();
+      const EffectTrial& trial = i < sure ? trials[i] : trials.back();
       rival = trial.candidate;
-      rival.evidence =
-          before - trial.fit.unlikeliness() - freedom_cost(trial.fit, trial.fit.model().effects.back());
+      rival.evidence = without.everywhere - trial.fit.unlikeliness() -
+                       freedom_cost(trial.fit, trial.fit.model().effects.back());
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
       if (rival.evidence > best) kept = rival.evidence / rival.promised;
       best = std::max(best, rival.evidence);
@@ -167,31 +150,15 @@ class Search {
     return winner != nullptr ? *winner : fit_;
   }
 
-  /// An effect in the model, with everything refitted.
-  struct Trial {
-    Candidate candidate;
-    AxisFit fit;
-  };
-
-  Trial trial_of(const Candidate& rival) const {
-    Trial trial{refined(fit_, rival), fit_};
-    trial.fit = fitted_with(trial.candidate);
-    if (has_blurred_shape(rival.form.effect)) sharpen_newest(trial.fit, kNoWider);
-    // A bend would do the work of a wrong onset.
-    if (rival.onset_s > 0.0) place_onset_of_newest(trial.fit);
-    weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
-    trial.candidate.form = trial.fit.model().effects.back().form;
-    return trial;
-  }
-
   /// Those that get a trial whatever the others turn out to be worth, side by side.
-  std::vector<Trial> sure_trials(const std::vector<Candidate>& ranked) const {
+  std::vector<EffectTrial> sure_trials(const std::vector<Candidate>& ranked,
+                                       const AxisFit::Rival& without) const {
     const double enough = std::max(kNearlyAsGood * ranked.front().evidence, diagnosis_.least_evidence);
     std::size_t count = 0;
     while (count < std::min(kMostRivals, ranked.size()) && ranked[count].evidence >= enough) ++count;
-    std::vector<std::optional<Trial>> trials(count);
-    in_parallel(count, [&](std::size_t i) { trials[i] = trial_of(ranked[i]); });
-    std::vector<Trial> done;
+    std::vector<std::optional<EffectTrial>> trials(count);
+    in_parallel(count, [&](std::size_t i) { trials[i] = try_effect(fit_, ranked[i], without); });
+    std::vector<EffectTrial> done;
     for (auto& trial : trials) done.push_back(std::move(*trial));
     return done;
   }
@@ -203,26 +170,9 @@ class Search {
     return best == 0.0 || (tried < kMostRivals && rival.evidence >= kNearlyAsGood * best);
   }
 
-  /// Has the recording driven a parameter farther than a datasheet can be wrong? One that it does not tell
-  /// may be anywhere.
-  bool is_bent() const {
-    const Eigen::VectorXd deviation = fit_.deviation().cwiseAbs();
-    const Eigen::VectorXd& error = fit_.standard_error();
-    const Eigen::Index relative = fit_.axis() == Axis::kSpindle ? deviation.size() : 2;
-    for (Eigen::Index j = 0; j < std::min(relative, error.size()); ++j)
-      if (deviation(j) > kBent && error(j) < kTold) return true;
-    return false;
-  }
-
-  AxisFit at_datasheet() const {
-    AxisFit fit(fit_.axis(), fit_.signals(), fit_.datasheet());
-    fit.model().effects = fit_.model().effects;
-    return fit;
-  }
-
   /// What explains most beside the datasheet's parameters comes first; bent ones hide it.
   void prefer_by_datasheet(std::vector<Candidate>& ranked) const {
-    AxisFit fit = at_datasheet();
+    AxisFit fit = at_datasheet(fit_);
     fit.match_noise();
     const GapStatistics statistics = fit.collect_with_each(diagnosis_.others);
     auto others = rank_candidates(fit, statistics, diagnosis_.others);
@@ -236,26 +186,13 @@ class Search {
     }
   }
 
-  /// The model with one effect more. Parameters that had to bend to what was missing are a bad beginning:
-  /// then from the datasheet's too.
-  AxisFit fitted_with(const Candidate& candidate) const {
-    std::vector<AxisFit> trials{fit_};
-    if (is_bent()) trials.push_back(at_datasheet());
-    in_parallel(trials.size(), [&](std::size_t i) {
-      trials[i].model().effects.push_back(beginning_of(candidate));
-      trials[i].settle(kDuelRounds, fit_.unlikeliness());
-    });
-    const bool is_better_anew = trials.back().unlikeliness() < trials.front().unlikeliness();
-    return is_better_anew ? trials.back() : trials.front();
-  }
-
-  static const AxisFit* fit_of(const std::vector<Trial>& trials, const Candidate& candidate) {
-    for (const Trial& trial : trials)
+  static const AxisFit* fit_of(const std::vector<EffectTrial>& trials, const Candidate& candidate) {
+    for (const EffectTrial& trial : trials)
       if (trial.candidate.form.effect == candidate.form.effect) return &trial.fit;
     return nullptr;
   }
 
-  static void put_plain_first(std::vector<Candidate>& ranked, const std::vector<Trial>& trials) {
+  static void put_plain_first(std::vector<Candidate>& ranked, const std::vector<EffectTrial>& trials) {
     for (const Plainer& pair : kPlainer) {
       if (ranked.front().form.effect != pair.fine) continue;
       const double enough_evidence = pair.undecided * ranked.front().evidence;
@@ -276,6 +213,7 @@ class Search {
   /// The model without each of its effects. Beside that one the others' laws may have needed no bend.
   std::vector<AxisFit> leave_one_out() const {
     std::vector<AxisFit> all_without(diagnosis_.found.size(), fit_);
+    if (all_without.size() == 1) return {without_any()};
     in_parallel(all_without.size(), [&](std::size_t i) {
       auto& effects = all_without[i].model().effects;
       effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(i));
@@ -286,16 +224,25 @@ class Search {
     return all_without;
   }
 
-  /// How much each effect is worth beside the others. Without the only one it is the nominal model, which may
-  /// settle better from here than from the datasheet.
+  /// The nominal model, which may settle better from here than from the datasheet.
+  AxisFit without_any() const {
+    constexpr double kBetter =
+        20.0;  // deviance that six parameters hardly gain in a part by fitting it alone
+    const AxisFit::Rival nominal = diagnosis_.nominal.as_rival();
+    AxisFit without = fit_;
+    without.model().effects.clear();
+    without.settle_roughly(kDuelRounds, nominal);
+    if (!(without.unlikeliness() < nominal.in_part - kBetter)) return diagnosis_.nominal;
+    without.finish(nominal);
+    return without.unlikeliness() < diagnosis_.nominal.unlikeliness() ? without : diagnosis_.nominal;
+  }
+
+  /// How much each effect is worth beside the others.
   void weigh(const std::vector<AxisFit>& all_without) {
     for (std::size_t i = 0; i < all_without.size(); ++i) {
       const AxisFit& without = all_without[i];
-      const bool is_nominal = without.model().effects.empty();
-      if (is_nominal && without.unlikeliness() < diagnosis_.nominal.unlikeliness())
-        diagnosis_.nominal = without;
-      const double best = is_nominal ? diagnosis_.nominal.unlikeliness() : without.unlikeliness();
-      const double evidence = best - fit_.unlikeliness();
+      if (without.model().effects.empty()) diagnosis_.nominal = without;
+      const double evidence = without.unlikeliness() - fit_.unlikeliness();
       const bool is_known = fit_.relative_error_of(diagnosis_.found[i].effect.form.effect) < kVague;
       diagnosis_.found[i].evidence = std::isfinite(evidence) && is_known ? evidence : 0.0;
     }
@@ -331,8 +278,10 @@ class Search {
       if (!(lack(*weakest) > 0.0)) break;
       fit_ = std::move(all_without[static_cast<std::size_t>(weakest - diagnosis_.found.begin())]);
       diagnosis_.found.erase(weakest);
-      fit_.settle();
-      if (diagnosis_.found.empty()) fit_ = diagnosis_.nominal;
+      if (diagnosis_.found.empty())
+        fit_ = diagnosis_.nominal;
+      else
+        fit_.settle();
       take_sizes();
     }
     std::stable_sort(diagnosis_.found.begin(), diagnosis_.found.end(),

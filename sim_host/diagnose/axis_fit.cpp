@@ -309,15 +309,35 @@ void AxisFit::refit_with_this_noise() {
   }
 }
 
-void AxisFit::settle(int most_rounds, double rival) {
+AxisFit::Rival AxisFit::as_rival() const {
+  AxisFit narrow = *this;
+  narrow.narrow_down();
+  return {.everywhere = unlikeliness_, .in_part = narrow.unlikeliness_as_it_is()};
+}
+
+void AxisFit::settle(int most_rounds) {
   const bool sees_all = !is_narrow();
-  unlikeliness_ = kNone;
-  if (sees_all) narrow_down();
-  if (!is_narrow()) return take_turns(most_rounds, rival);
+  narrow_down();
   take_turns(most_rounds, kNone);
-  if (!sees_all) return;
+  if (sees_all) finish({});
+}
+
+// With the noise that there is first: what the model had is not lost where a round makes it worse.
+void AxisFit::settle_roughly(int most_rounds, const Rival& rival) {
+  narrow_down();
+  refit();
+  take_turns(most_rounds, rival.in_part);
+}
+
+void AxisFit::finish(const Rival& rival) {
+  if (!is_narrow()) return;
+  const bool is_hopeless = is_hopeless_beside(rival.in_part);
   widen();
-  polish(rival);
+  if (!is_hopeless) polish(rival.everywhere);
+}
+
+bool AxisFit::is_hopeless_beside(double rival) const {
+  return unlikeliness_ > rival + kHopeless * static_cast<double>(signals_->rows);
 }
 
 void AxisFit::polish(double rival) {
@@ -340,7 +360,7 @@ void AxisFit::take_turns(int most_rounds, double rival) {
     if (!std::isfinite(unlikeliness_)) break;
     in_vain = unlikeliness_ < best.unlikeliness_ - kSettledRound ? 0 : in_vain + 1;
     if (unlikeliness_ < best.unlikeliness_) best = *this;
-    if (best.unlikeliness_ > rival + kHopeless * static_cast<double>(signals_->rows)) break;
+    if (best.is_hopeless_beside(rival)) break;
   }
   *this = std::move(best);
 }

@@ -16,6 +16,8 @@ namespace morepro::host {
 /// One axis of the machine with the model that fits it best so far.
 class AxisFit {
  public:
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+
   /// `datasheet`: where the parameters start, and what they are drawn to where nothing is known about them.
   AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet);
 
@@ -31,11 +33,27 @@ class AxisFit {
   /// other is not known then.
   void narrow_down() { look_at(quarter_of(*signals_)); }
   void widen() { look_at(all_of(*signals_)); }
+  [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
+  /// The same for what lies between two times.
+  void look_around(double from_s, double to_s) { look_at({between(*signals_, from_s, to_s)}); }
   /// Fits the process noise alone.
   void match_noise();
+  /// How likely another model is: on everything and on the part that comes first.
+  struct Rival {
+    double everywhere = kNone;
+    double in_part = kNone;
+  };
+  /// This model as others' rival.
+  [[nodiscard]] Rival as_rival() const;
+
   /// Fits process noise, parameters and the sizes of the model's effects, in turns, first to a part of the
-  /// recording; no longer than it takes to see that it will not become likelier than `rival`.
-  void settle(int most_rounds = 6, double rival = kNone);
+  /// recording.
+  void settle(int most_rounds = 6);
+  /// Its first half, on the part; no longer than it takes to see that it will not become likelier than
+  /// `rival`.
+  void settle_roughly(int most_rounds, const Rival& rival);
+  /// Its second half; not likely at all where the first one has seen that it is hopeless.
+  void finish(const Rival& rival);
   /// The same from near the end, with all that is looked at.
   void polish(double rival = kNone);
   /// The same without the process noise.
@@ -92,7 +110,6 @@ class AxisFit {
   void set_whitening(const Whitening& whitening) { whitening_ = whitening; }
 
  private:
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
   struct Trial {
     GapStatistics statistics;
     Eigen::MatrixXd moments;
@@ -107,12 +124,12 @@ class AxisFit {
   };
   [[nodiscard]] std::optional<KnownSize> known_size_of(gap::Effect effect) const;
   [[nodiscard]] Trial tried() const;
-  [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
   void look_at(std::vector<Stretch> stretches) {
     stretches_ = std::move(stretches);
     unlikeliness_ = kNone;
   }
   void take_turns(int most_rounds, double rival);
+  [[nodiscard]] bool is_hopeless_beside(double rival) const;
   bool improve(Trial& best);
   [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments,
                                         const std::vector<Eigen::Index>& active, double damping) const;

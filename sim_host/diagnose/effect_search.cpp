@@ -161,6 +161,9 @@ void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vecto
 Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   Candidate finest = candidate;
   if (!has_shape(candidate.form)) return finest;
+  AxisFit part = axis;
+  part.narrow_down();
+  finest.evidence = -1.0e300;
   const bool is_pure_shape = gap::size_is_shape(candidate.form.effect) && candidate.form.parts == 1;
   double centre = static_cast<double>(candidate.form.shape);
   // Half of a lag looks like half as long a lag.
@@ -168,7 +171,7 @@ Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   for (const double spread : {2.0, 1.2}) {
     const auto forms = around(candidate.form, centre, spread);
     const std::vector<double> onset_s(forms.size(), candidate.onset_s);
-    take_best(axis, axis.collect_with_each({forms, onset_s}), forms, finest);
+    take_best(part, part.collect_with_each({forms, onset_s}), forms, finest);
     centre = static_cast<double>(finest.form.shape);
   }
   return finest;

@@ -11,6 +11,9 @@ namespace {
 constexpr float kNarrowest = 0.02F;  // share of the shape that a linearisation shows
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
 constexpr int kRounds = 2;
+// Around an onset that is known to half a block; behind it an effect may need time to show.
+constexpr double kBeforeOnsetS = 1.0;
+constexpr double kAfterOnsetS = 2.0;
 
 /// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, factor)` makes
 /// one of the newest effect, or gives false where there is none. Was there any?
@@ -28,6 +31,26 @@ bool take_likelier(AxisFit& trial, std::initializer_list<float> factors, Vary va
     }
   }
   return has_changed;
+}
+
+/// Exchanges the time constant of a drive's lag with the axis's own, where that leaves parameters that a
+/// datasheet may have. Does it?
+bool exchange_lags(GapModel& model) {
+  constexpr double kMostApart = 2.5;
+  gap::EffectForm& lag = model.effects.back().form;
+  auto& spindle = model.machine.spindle;
+  auto& feed = model.machine.feed;
+  const auto lag_s = static_cast<double>(lag.shape);
+  double own_s = 0.0;
+  if (lag.effect == gap::Effect::kDriveLag) own_s = spindle.inductance_h / spindle.resistance_ohm;
+  if (lag.effect == gap::Effect::kFeedDriveLag) own_s = feed.mass_kg / feed.viscous_friction_ns_m;
+  if (!(own_s > lag_s / kMostApart && own_s < lag_s * kMostApart)) return false;
+  lag.shape = static_cast<float>(own_s);
+  if (lag.effect == gap::Effect::kDriveLag)
+    spindle.inductance_h = lag_s * spindle.resistance_ohm;
+  else
+    feed.mass_kg = lag_s * feed.viscous_friction_ns_m;
+  return true;
 }
 
 /// How sure a state is depends on the friction that holds it; no linearisation knows that, so that sizes are
@@ -65,9 +88,11 @@ void sharpen_newest(AxisFit& trial, float widest_share) {
     has_changed = true;
   }
   if (!has_changed) return;
-  sharper.widen();
-  sharper.polish();
-  trial = std::move(sharper);
+  if (!trial.is_narrow()) {
+    sharper.widen();
+    sharper.polish();
+  }
+  if (sharper.unlikeliness() < trial.unlikeliness()) trial = std::move(sharper);
 }
 
 void weigh_bend(AxisFit& trial, std::size_t index) {
@@ -76,27 +101,40 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
   gap::EffectForm& form = other.model().effects[index].form;
   const double price = std::log(static_cast<double>(trial.signals().rows) + 2.0);
   const bool is_bent = form.parts > 1;
+  const auto gain = [&] { return trial.unlikeliness() - other.unlikeliness(); };
   form.parts = is_bent ? 1 : 2;
   other.model().effects[index].coefficient[1] = 0.0;
+  other.refit();
+  // With its own noise a bend gains more, but not twice as much.
+  if (!is_bent && gain() < 0.5 * price) return;
   other.polish();
-  const double gain = trial.unlikeliness() - other.unlikeliness();
-  if (gain > (is_bent ? -price : price)) trial = std::move(other);
+  if (gain() > (is_bent ? -price : price)) trial = std::move(other);
+}
+
+void weigh_order_of_lags(AxisFit& trial) {
+  AxisFit other = trial;
+  if (!exchange_lags(other.model())) return;
+  other.settle(kRounds);
+  if (other.unlikeliness() < trial.unlikeliness() - kSharper) trial = std::move(other);
 }
 
 void place_onset_of_newest(AxisFit& trial) {
-  double& onset_s = trial.model().effects.back().onset_s;
-  double best = trial.unlikeliness_as_it_is();
+  AxisFit near = trial;
+  double& onset_s = near.model().effects.back().onset_s;
+  near.look_around(onset_s - kBeforeOnsetS, onset_s + kAfterOnsetS);
+  double best = near.unlikeliness_as_it_is();
   for (double step_s = 0.5 * kBlockS; step_s > 0.01 * kBlockS; step_s *= 0.5)
     for (const double sign : {-1.0, 1.0}) {
       const double before_s = onset_s;
       onset_s = std::max(before_s + sign * step_s, 0.0);
-      const double other = trial.unlikeliness_as_it_is();
+      const double other = near.unlikeliness_as_it_is();
       if (other < best)
         best = other;
       else
         onset_s = before_s;
     }
-  trial.polish();
+  trial.model().effects.back().onset_s = onset_s;
+  trial.refit();
 }
 
 }  // namespace morepro::host

@@ -12,6 +12,10 @@ void sharpen_newest(AxisFit& trial, float widest_share);
 /// tell.
 void weigh_bend(AxisFit& trial, std::size_t index);
 
+/// Exchanges the newest effect, a drive's lag, with the axis's own, where that is more likely: two in a row
+/// do nearly the same in either order, and no way leads from one to the other.
+void weigh_order_of_lags(AxisFit& trial);
+
 /// Searches for when the newest effect sets in, to a hundredth of a block.
 void place_onset_of_newest(AxisFit& trial);
 

@@ -284,6 +284,15 @@ class HalfAMachine(Diagnose):
         self.assertEqual(self.diagnose("--machine", "reference")["verdict"], "insufficient_excitation")
 
 
+class TwoLagsInARow(Diagnose):
+    def test_a_drive_is_not_given_the_lag_of_the_winding(self):
+        # L/R is 0.625 ms, the drive's is half of it: exchanged, the two explain nearly as much.
+        self.simulate("--effect", "drive_lag=3e-4", "--seed", 2, duration=8)
+        result = self.diagnose("--machine", "reference")
+        self.assertEqual(self.names(result), ["drive_lag"])
+        self.assertAlmostEqual(result["which"][0]["magnitude"], 3e-4, delta=0.05 * 3e-4)
+
+
 class Contract(Diagnose):
     def test_the_same_seed_gives_the_same_bytes(self):
         self.simulate("--effect", "drive_lag=5e-4", duration=2)

@@ -1,0 +1,76 @@
+#include "sim_host/diagnose/effect_trial.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "lib/gap/dry_friction.hpp"
+#include "sim_host/diagnose/newest_effect.hpp"
+#include "sim_host/support/in_parallel.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kBent = 0.6;     // relative deviation of a parameter that no datasheet has
+constexpr float kNoWider = 1.0F;  // share of the shape that a linearisation shows
+
+/// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
+/// delay has no such beginning; it starts with the size that was found.
+gap::AppliedEffect beginning_of(const Candidate& candidate) {
+  gap::AppliedEffect effect{.form = candidate.form, .coefficient = {}, .onset_s = candidate.onset_s};
+  if (gap::size_is_shape(effect.form.effect) && effect.form.parts == 1) effect.coefficient[0] = 1.0;
+  return effect;
+}
+
+/// Where a noisy speed changes its sign all the time, the width in which friction does so looks too wide.
+constexpr bool has_blurred_shape(gap::Effect effect) {
+  return gap::is_dry_friction(effect) && !gap::is_stribeck(effect);
+}
+
+/// Which side of the play the slide is on, pieces of a recording do not tell.
+constexpr bool keeps_its_side(gap::Effect effect) { return effect == gap::Effect::kFeedBacklash; }
+
+/// The model with one effect more, fitted to a part of the recording. Parameters that had to bend to what was
+/// missing are a bad beginning: then from the datasheet's too.
+AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const AxisFit::Rival& without) {
+  std::vector<AxisFit> trials{fit};
+  if (is_bent(fit)) trials.push_back(at_datasheet(fit));
+  in_parallel(trials.size(), [&](std::size_t i) {
+    trials[i].model().effects.push_back(beginning_of(candidate));
+    trials[i].settle_roughly(kDuelRounds, without);
+  });
+  const bool is_better_anew = trials.back().unlikeliness() < trials.front().unlikeliness();
+  return is_better_anew ? trials.back() : trials.front();
+}
+
+}  // namespace
+
+EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::Rival without) {
+  if (keeps_its_side(candidate.form.effect)) without.in_part = AxisFit::kNone;
+  EffectTrial trial{refined(fit, candidate), fit};
+  trial.fit = roughly_fitted(fit, trial.candidate, without);
+  if (has_blurred_shape(candidate.form.effect)) sharpen_newest(trial.fit, kNoWider);
+  // A bend would do the work of a wrong onset.
+  if (candidate.onset_s > 0.0) place_onset_of_newest(trial.fit);
+  trial.fit.finish(without);
+  weigh_order_of_lags(trial.fit);
+  weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
+  trial.candidate.form = trial.fit.model().effects.back().form;
+  return trial;
+}
+
+bool is_bent(const AxisFit& fit) {
+  const Eigen::VectorXd deviation = fit.deviation().cwiseAbs();
+  const Eigen::VectorXd& error = fit.standard_error();
+  const Eigen::Index relative = fit.axis() == Axis::kSpindle ? deviation.size() : 2;
+  for (Eigen::Index j = 0; j < std::min(relative, error.size()); ++j)
+    if (deviation(j) > kBent && error(j) < kTold) return true;
+  return false;
+}
+
+AxisFit at_datasheet(const AxisFit& fit) {
+  AxisFit anew(fit.axis(), fit.signals(), fit.datasheet());
+  anew.model().effects = fit.model().effects;
+  return anew;
+}
+
+}  // namespace morepro::host
