@@ -146,7 +146,15 @@ class SpindleObserver {
     added_.voltage_v += half * rubbed_i / yield_i;
     const Real added_w = psi.a00 * rate_w + psi.a01 * rate_i + rubbed_w;
     const Real added_i = psi.a10 * rate_w + psi.a11 * rate_i + rubbed_i;
-    if (has_columns_) load_columns(middle, (dw + added_w) / step_s_, (di + added_i) / step_s_);
+    if (has_columns_) {
+      const Real load_rad_s2 =
+          (k.torque_constant_nm_a * x.current_a - k.viscous_friction_nms_rad * x.speed_rad_s) /
+              k.inertia_kgm2 -
+          f.acceleration_rad_s2;
+      const Real driven_w = dw + psi.a01 * rate_i;
+      load_columns(middle, load_rad_s2 + driven_w / step_s_, (dw + added_w) / step_s_,
+                   (di + added_i) / step_s_);
+    }
     const math::BasicMatrix2<Real> first{step.exp.a00 * w0.slope, step.exp.a01 * i0.slope,
                                          step.exp.a10 * w0.slope, step.exp.a11 * i0.slope};
     driven_rad_s_ += w1.value - observer_.mean(0);
@@ -170,14 +178,18 @@ class SpindleObserver {
     return {speed_slope * m.a00, speed_slope * m.a01, current_slope * m.a10, current_slope * m.a11};
   }
 
+  /// `unbraked_rad_s2`: acceleration without effects and viscous friction.
   /// The rates are those of the model with its effects: an inductance acts on the current as it changes, not
-  /// as it would change without the lag of its drive.
-  void load_columns(const EffectSignals<Real>& s, Real acceleration_rad_s2, Real current_rate_a_s) {
+  /// as it would change without the lag of its drive. What the motor does is what accelerates and what
+  /// friction takes, to the last bit but rounding: without a load, all three times the same factor must be no
+  /// column, or it is found in noise.
+  void load_columns(const EffectSignals<Real>& s, Real unbraked_rad_s2, Real acceleration_rad_s2,
+                    Real current_rate_a_s) {
     const auto& k = terms_.scales();
     const Real per_inertia = Real(1) / k.inertia_kgm2;
     const Real per_inductance = Real(1) / k.inductance_h;
-    first_[0] = k.torque_constant_nm_a * s.current_a * per_inertia;
     first_[1] = -k.viscous_friction_nms_rad * s.speed_rad_s * per_inertia;
+    first_[0] = unbraked_rad_s2 - first_[1];
     first_[2] = -acceleration_rad_s2;
     first_[3] = first_[4] = first_[5] = Real(0);
     second_[0] = second_[1] = second_[2] = Real(0);

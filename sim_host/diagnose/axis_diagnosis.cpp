@@ -226,13 +226,10 @@ class Search {
 
   /// The nominal model, which may settle better from here than from the datasheet.
   AxisFit without_any() const {
-    constexpr double kBetter =
-        20.0;  // deviance that six parameters hardly gain in a part by fitting it alone
     const AxisFit::Rival nominal = diagnosis_.nominal.as_rival();
     AxisFit without = fit_;
     without.model().effects.clear();
     without.settle_roughly(kDuelRounds, nominal);
-    if (!(without.unlikeliness() < nominal.in_part - kBetter)) return diagnosis_.nominal;
     without.finish(nominal);
     return without.unlikeliness() < diagnosis_.nominal.unlikeliness() ? without : diagnosis_.nominal;
   }

@@ -34,8 +34,8 @@ class AxisFit {
   void narrow_down() { look_at(quarter_of(*signals_)); }
   void widen() { look_at(all_of(*signals_)); }
   [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
-  /// The same for what lies between two times.
-  void look_around(double from_s, double to_s) { look_at({between(*signals_, from_s, to_s)}); }
+  /// The same for what comes after a time.
+  void look_at_the_end(double from_s) { look_at({after(*signals_, from_s)}); }
   /// Fits the process noise alone.
   void match_noise();
   /// How likely another model is: on everything and on the part that comes first.

@@ -48,11 +48,11 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
   if (keeps_its_side(candidate.form.effect)) without.in_part = AxisFit::kNone;
   EffectTrial trial{refined(fit, candidate), fit};
   trial.fit = roughly_fitted(fit, trial.candidate, without);
+  trial.fit.finish(without);
+  weigh_order_of_lags(trial.fit);
   if (has_blurred_shape(candidate.form.effect)) sharpen_newest(trial.fit, kNoWider);
   // A bend would do the work of a wrong onset.
   if (candidate.onset_s > 0.0) place_onset_of_newest(trial.fit);
-  trial.fit.finish(without);
-  weigh_order_of_lags(trial.fit);
   weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
   trial.candidate.form = trial.fit.model().effects.back().form;
   return trial;

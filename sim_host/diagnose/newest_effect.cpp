@@ -11,9 +11,9 @@ namespace {
 constexpr float kNarrowest = 0.02F;  // share of the shape that a linearisation shows
 constexpr double kSharper = 2.0;     // deviance that another shape has to gain
 constexpr int kRounds = 2;
-// Around an onset that is known to half a block; behind it an effect may need time to show.
+// Before an onset that is known to half a block nothing depends on it; behind it an effect may need long to
+// show.
 constexpr double kBeforeOnsetS = 1.0;
-constexpr double kAfterOnsetS = 2.0;
 
 /// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, factor)` makes
 /// one of the newest effect, or gives false where there is none. Was there any?
@@ -88,10 +88,8 @@ void sharpen_newest(AxisFit& trial, float widest_share) {
     has_changed = true;
   }
   if (!has_changed) return;
-  if (!trial.is_narrow()) {
-    sharper.widen();
-    sharper.polish();
-  }
+  sharper.widen();
+  sharper.polish();
   if (sharper.unlikeliness() < trial.unlikeliness()) trial = std::move(sharper);
 }
 
@@ -119,15 +117,15 @@ void weigh_order_of_lags(AxisFit& trial) {
 }
 
 void place_onset_of_newest(AxisFit& trial) {
-  AxisFit near = trial;
-  double& onset_s = near.model().effects.back().onset_s;
-  near.look_around(onset_s - kBeforeOnsetS, onset_s + kAfterOnsetS);
-  double best = near.unlikeliness_as_it_is();
+  AxisFit late = trial;
+  double& onset_s = late.model().effects.back().onset_s;
+  late.look_at_the_end(onset_s - kBeforeOnsetS);
+  double best = late.unlikeliness_as_it_is();
   for (double step_s = 0.5 * kBlockS; step_s > 0.01 * kBlockS; step_s *= 0.5)
     for (const double sign : {-1.0, 1.0}) {
       const double before_s = onset_s;
       onset_s = std::max(before_s + sign * step_s, 0.0);
-      const double other = near.unlikeliness_as_it_is();
+      const double other = late.unlikeliness_as_it_is();
       if (other < best)
         best = other;
       else

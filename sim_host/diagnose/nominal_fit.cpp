@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/gap/dry_friction.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -16,14 +17,23 @@ constexpr double kHopeless = 0.1;  // deviance per row that no effect makes up f
 // parameters are hardly more than a linear regression has them.
 constexpr double kOneStepNoise = 0.3;
 
+/// Where the machine file states a dry friction, an axis may be held or let go a moment before it says so: an
+/// observer that expects nothing of the kind remembers it for seconds.
+void allow_little_noise(AxisFit& fit) {
+  const auto& known = fit.model().known;
+  if (std::none_of(known.begin(), known.end(),
+                   [](const gap::AppliedEffect& one) { return gap::is_dry_friction(one.form.effect); }))
+    fit.allow_little_noise();
+}
+
 void noise_first(AxisFit& fit) {
   fit.settle();
-  fit.allow_little_noise();
+  allow_little_noise(fit);
   fit.settle(1);
 }
 
 void parameters_first(AxisFit& fit) {
-  fit.allow_little_noise();
+  allow_little_noise(fit);
   fit.refit();
   fit.settle();
 }
@@ -32,7 +42,7 @@ void one_step_first(AxisFit& fit) {
   expect_process_noise(kOneStepNoise, fit.model().noise);
   fit.refit();
   fit.settle();
-  fit.allow_little_noise();
+  allow_little_noise(fit);
   fit.settle(1);
 }
 

@@ -182,12 +182,9 @@ std::vector<Stretch> quarter_of(const RecordingSignals& signals) {
   return stretches;
 }
 
-Stretch between(const RecordingSignals& signals, double from_s, double to_s) {
-  const auto row = [&](double time_s) {
-    const double most = static_cast<double>(signals.rows);
-    return static_cast<std::size_t>(std::clamp(time_s * signals.rate_hz, 0.0, most));
-  };
-  return {row(from_s), row(to_s)};
+Stretch after(const RecordingSignals& signals, double from_s) {
+  const auto rows = static_cast<double>(signals.rows);
+  return {static_cast<std::size_t>(std::clamp(from_s * signals.rate_hz, 0.0, rows)), signals.rows};
 }
 
 FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,

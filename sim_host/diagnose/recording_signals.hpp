@@ -60,8 +60,8 @@ inline std::vector<Stretch> all_of(const RecordingSignals& signals) { return {{0
 /// it says. All of a short one.
 std::vector<Stretch> quarter_of(const RecordingSignals& signals);
 
-/// What lies between two times, as far as it was recorded.
-Stretch between(const RecordingSignals& signals, double from_s, double to_s);
+/// What comes after a time, all of it for one before the start.
+Stretch after(const RecordingSignals& signals, double from_s);
 
 /// Fills in the cutting time.
 void count_cutting_time(RecordingSignals& signals);

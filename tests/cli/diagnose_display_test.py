@@ -11,11 +11,14 @@ class Applied(Diagnose):
         self.assertEqual(self.diagnose("--machine", "wrong.toml")["verdict"], "effect")
         self.must_do("diagnose", "run.csv", "--machine", "wrong.toml", "--bootstrap", 20, "--apply", "applied.toml")
         self.must_do("simulate", "--machine", "applied.toml", "--profile", "rich", "--duration", 1, "--out", "model.csv")
-        self.must_do("simulate", "--profile", "rich", "--duration", 6, "--seed", 77, "--effect",
-                     "feed_coulomb_friction=6", "--out", "second.csv")
-        second = self.diagnose("--machine", "applied.toml", recording="second.csv")
-        self.assertEqual(second["which"], [])
-        self.assertIn(second["verdict"], ("no_gap", "parameter_error"))
+        # In 78 and 79 the axis is let go once when the model still holds it.
+        for seed in (77, 78, 79):
+            with self.subTest(seed=seed):
+                self.must_do("simulate", "--profile", "rich", "--duration", 6, "--seed", seed, "--effect",
+                             "feed_coulomb_friction=6", "--out", "second.csv")
+                second = self.diagnose("--machine", "applied.toml", recording="second.csv")
+                self.assertEqual(second["which"], [])
+                self.assertIn(second["verdict"], ("no_gap", "parameter_error"))
 
 
 class Display(Diagnose):
