@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 
@@ -82,10 +83,32 @@ struct Moment {
   [[nodiscard]] double position() const { return frame.has_feed_position ? frame.feed_position_m : kMissing; }
 };
 
+// Errors of quotients as if both parameters were known by themselves: larger than they are, if anything.
+KnownCoefficient known(const AxisFit& fit, double value, std::initializer_list<Eigen::Index> parameters) {
+  const Eigen::VectorXd& error = fit.standard_error();
+  double square = 0.0;
+  for (const Eigen::Index j : parameters) square += j < error.size() ? error(j) * error(j) : 1.0;
+  return {.value = value, .error = std::fabs(value) * std::sqrt(square)};
+}
+
+std::vector<KnownCoefficient> known_of_torque(const AxisFit& fit) {
+  const auto& s = fit.model().machine.spindle;
+  return {known(fit, s.torque_constant_nm_a / s.inertia_kgm2, {0, 2}),
+          known(fit, -s.viscous_friction_nms_rad / s.inertia_kgm2, {1, 2}),
+          known(fit, -1.0 / s.inertia_kgm2, {2})};
+}
+
+std::vector<KnownCoefficient> known_of_voltage(const AxisFit& fit) {
+  const auto& s = fit.model().machine.spindle;
+  return {known(fit, 1.0 / s.inductance_h, {5}), known(fit, -s.resistance_ohm / s.inductance_h, {3, 5}),
+          known(fit, -s.back_emf_constant_vs_rad / s.inductance_h, {4, 5})};
+}
+
 class Increments {
  public:
   explicit Increments(const AxisDiagnosis& diagnosis)
       : fit_(diagnosis.fit),
+        nominal_(diagnosis.nominal),
         bridged_(bridged(fit_.signals())),
         signals_(bridged_ ? *bridged_ : fit_.signals()),
         machine_(fit_.model().machine),
@@ -96,7 +119,15 @@ class Increments {
   std::vector<BalanceIncrements> of_spindle() {
     const bool has_current = signals_.has(Channel::kArmatureCurrent);
     std::vector<BalanceIncrements> balances{empty(gap::Balance::kSpindleTorque, 5)};
-    if (signals_.has_electrics()) balances.push_back(empty(gap::Balance::kArmatureVoltage, 5));
+    if (has_current) {
+      balances.front().known = known_of_torque(fit_);
+      balances.front().nominal = known_of_torque(nominal_);
+    }
+    if (signals_.has_electrics()) {
+      balances.push_back(empty(gap::Balance::kArmatureVoltage, 5));
+      balances.back().known = known_of_voltage(fit_);
+      balances.back().nominal = known_of_voltage(nominal_);
+    }
     for_each_row([&](Eigen::Index i, const Moment&, const Moment& here, const Moment& next) {
       balances.front().columns.row(i) = torque(here, next, has_current);
       if (signals_.has_electrics()) balances.back().columns.row(i) = voltage(here, next);
@@ -115,7 +146,8 @@ class Increments {
  private:
   [[nodiscard]] BalanceIncrements empty(gap::Balance balance, Eigen::Index width) const {
     const auto rows = static_cast<Eigen::Index>(signals_.rows);
-    BalanceIncrements increments{balance, Eigen::MatrixXf(rows, width)};
+    BalanceIncrements increments{
+        .balance = balance, .columns = Eigen::MatrixXf(rows, width), .known = {}, .nominal = {}};
     increments.columns.row(0).setConstant(static_cast<float>(kMissing));
     increments.columns.row(rows - 1).setConstant(static_cast<float>(kMissing));
     return increments;
@@ -235,6 +267,7 @@ class Increments {
   }
 
   const AxisFit& fit_;
+  const AxisFit& nominal_;
   std::optional<RecordingSignals> bridged_;
   const RecordingSignals& signals_;
   const MachineParameters& machine_;

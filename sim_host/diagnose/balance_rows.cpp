@@ -51,10 +51,12 @@ Eigen::VectorXd residual_of(const Window& window, const Coefficients& coefficien
   return window.rows.rightCols(1) - window.rows.leftCols(coefficient.size()) * coefficient;
 }
 
-/// Weighted least squares over some windows; without the effect, its coefficient is 0.
+/// Weighted least squares over some windows; without the effect, its coefficient is 0. With it, the others
+/// are what they are `known` to be: speed and current are measured, and regressors with noise make
+/// coefficients too small.
 template <class Chosen>
-Coefficients fitted(const std::vector<Window>& windows, const Scales& scale, bool with_effect,
-                    Chosen chosen) {
+Coefficients fitted(const std::vector<Window>& windows, const BalanceIncrements& balance, const Scales& scale,
+                    bool with_effect, Chosen chosen) {
   const Eigen::Index width = windows.front().rows.cols();
   Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(width, width);
   for (const Window& window : windows) {
@@ -78,6 +80,14 @@ Coefficients fitted(const std::vector<Window>& windows, const Scales& scale, boo
     precision(width - 2) = 1.0 / (kSizeSpread * kSizeSpread);
     target(width - 2) = 1.0;
   }
+  const bool acts_here = moments(width - 2, width - 2) > 0.0;
+  const auto& known = with_effect ? balance.known : balance.nominal;
+  for (std::size_t i = 0; acts_here && i < known.size(); ++i) {
+    if (!(known[i].error > 0.0)) continue;
+    const auto j = static_cast<Eigen::Index>(i);
+    precision(j) = 1.0 / (known[i].error * known[i].error);
+    target(j) = known[i].value;
+  }
   const LinearFit solution = fit(moments, active, precision, target);
   Coefficients coefficient = Coefficients::Zero(width - 1);
   for (std::size_t i = 0; i < active.size(); ++i)
@@ -100,14 +110,6 @@ Scales scales_of(const std::vector<Window>& windows, const Coefficients& coeffic
     for (std::size_t c = 0; c < 2; ++c)
       sum[r][c] = count[r][c] > 0.0 ? std::sqrt(std::max(sum[r][c] / count[r][c], 1.0e-300)) : 1.0;
   return sum;
-}
-
-/// Noise is in both: where effects that act on a noisy state leave more, it is not the floor.
-Scales smaller_of(const Scales& a, const Scales& b) {
-  Scales smaller = a;
-  for (std::size_t r = 0; r < kRowsPerWindow; ++r)
-    for (std::size_t c = 0; c < 2; ++c) smaller[r][c] = std::min(a[r][c], b[r][c]);
-  return smaller;
 }
 
 WindowPower power_of(const Window& window, const Coefficients& coefficient, const Scales& scale) {
@@ -148,14 +150,15 @@ Scales floor_of(const std::vector<Window>& windows, const Coefficients& coeffici
   return floor;
 }
 
-void hold_out(const std::vector<Window>& windows, const Scales& scale, BalanceRows& rows) {
+void hold_out(const std::vector<Window>& windows, const BalanceIncrements& balance, const Scales& scale,
+              BalanceRows& rows) {
   const std::size_t pieces = windows.back().piece + 1;
   rows.held_out_before.assign(pieces, 0.0);
   rows.held_out_after.assign(pieces, 0.0);
   for (std::size_t parity = 0; parity < 2; ++parity) {
     const auto is_training = [parity](const Window& w) { return w.piece % 2 != parity; };
-    const Coefficients before = fitted(windows, scale, false, is_training);
-    const Coefficients after = fitted(windows, scale, true, is_training);
+    const Coefficients before = fitted(windows, balance, scale, false, is_training);
+    const Coefficients after = fitted(windows, balance, scale, true, is_training);
     for (const Window& window : windows) {
       if (is_training(window)) continue;
       rows.held_out_before[window.piece] += total_of(power_of(window, before, scale));
@@ -174,18 +177,18 @@ BalanceRows rows_of(const BalanceIncrements& balance, const RecordingSignals& si
   Coefficients before;
   Coefficients after;
   for (int round = 0; round < 3; ++round) {
-    before = fitted(windows, scale, false, all);
-    after = fitted(windows, scale, true, all);
-    scale = smaller_of(scales_of(windows, before), scales_of(windows, after));
+    before = fitted(windows, balance, scale, false, all);
+    after = fitted(windows, balance, scale, true, all);
+    scale = scales_of(windows, after);
   }
   if (mean_power(powers_of(windows, before, scale)) > kLeastGap) {
     scale = floor_of(windows, after, scale);
-    before = fitted(windows, scale, false, all);
-    after = fitted(windows, scale, true, all);
+    before = fitted(windows, balance, scale, false, all);
+    after = fitted(windows, balance, scale, true, all);
   }
   rows.before = powers_of(windows, before, scale);
   rows.after = powers_of(windows, after, scale);
-  hold_out(windows, scale, rows);
+  hold_out(windows, balance, scale, rows);
   return rows;
 }
 
