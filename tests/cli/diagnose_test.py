@@ -293,6 +293,22 @@ class TwoLagsInARow(Diagnose):
         self.assertAlmostEqual(result["which"][0]["magnitude"], 3e-4, delta=0.05 * 3e-4)
 
 
+class NoisySensors(Diagnose):
+    def test_leave_no_gap_open_that_the_right_effect_closes(self):
+        # Fitted to noisy regressors alone, the voltage balance's coefficients are too small: 92 % were closed.
+        self.simulate("--machine-out", "noisy.toml", duration=1)
+        machine = (self.folder / "noisy.toml").read_text()
+        for sensor, noise, more in (("spindle_speed_rad_s", 1, 4), ("armature_current_a", 0.05, 0.8)):
+            head = f"[sensors.{sensor}]\nnoise = "
+            self.assertIn(f"{head}{noise}\n", machine)
+            machine = machine.replace(f"{head}{noise}\n", f"{head}{more}\n")
+        self.write("noisy.toml", machine)
+        self.simulate("--machine", "noisy.toml", "--effect", "spindle_speed_bias=8", duration=8, profile="commissioning")
+        result = self.diagnose("--machine", "noisy.toml")
+        self.assertIn("spindle_speed_bias", result["which"][0]["alias_set"])
+        self.assertGreater(result["shrinkage"]["share_closed"], 0.95)
+
+
 class Contract(Diagnose):
     def test_the_same_seed_gives_the_same_bytes(self):
         self.simulate("--effect", "drive_lag=5e-4", duration=2)
