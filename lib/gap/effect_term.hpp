@@ -33,7 +33,7 @@ class EffectTerm {
         return {.torque_nm = k.inertia_kgm2 * resonance_(s.acceleration_rad_s2)};
       case Effect::kDriveLag:
       case Effect::kFeedDriveLag:
-        return lagging(s);
+        return lagging(s, k);
       case Effect::kFeedBacklash:
         return {.force_n = in_play(s, k)};
       case Effect::kFeedPresliding:
@@ -73,9 +73,17 @@ class EffectTerm {
            (form_.effect >= Effect::kUnnamedTorque && form_.shape > 0.0F);
   }
 
-  Contribution<Real> lagging(const EffectSignals<Real>& s) {
+  Contribution<Real> lagging(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
     if (form_.effect == Effect::kFeedDriveLag) return {.force_n = lag_.mean(s.feed_force_n) - s.feed_force_n};
-    return {.voltage_v = lag_.mean(s.armature_voltage_v) - s.armature_voltage_v};
+    const Real mean_v = lag_.mean(s.armature_voltage_v) - s.armature_voltage_v;
+    return {.voltage_v = mean_v * seen_by_current(k)};
+  }
+
+  /// A current forgets the beginning of a step before its end: of a voltage that lags, which is larger there,
+  /// it sees less than the mean. To second order in the step over both time constants.
+  Real seen_by_current(const EffectScales<Real>& k) const {
+    const Real slow = Real(12) * static_cast<Real>(form_.shape) * k.inductance_h;
+    return slow / (slow + step_s_ * step_s_ * k.resistance_ohm);
   }
 
   /// Effects of one group never act elsewhere, but for those of the flux, which act on voltage and torque.

@@ -10,6 +10,7 @@
 
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/spindle_observer.hpp"
+#include "sim_host/diagnose/lasting_noise.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/diagnose/size_columns.hpp"
 
@@ -192,12 +193,24 @@ double AxisFit::relative_size_error_of(gap::Effect effect) const {
 
 AxisFit::Trial AxisFit::tried() const {
   const SizeColumns sizes(model_.effects);
-  Trial trial{.statistics = collect_with(sizes.disturbances()), .moments = {}};
-  const Eigen::MatrixXd moments = trial.statistics.total();
-  if (moments.cols() == 0) return trial;
-  trial.moments = sizes.of(moments, parameter_count(axis_));
+  Trial trial;
+  if (weighs_all_ages_) {
+    NewParts parts =
+        look_beside_lasting_noise(axis_, *signals_, stretches_, model_, sizes.disturbances(), whitening_);
+    trial.moments = std::move(parts.moments);
+    trial.rows = parts.rows;
+    trial.cost = parts.deviance;
+  } else {
+    trial.statistics = collect_with(sizes.disturbances());
+    trial.moments = trial.statistics.total();
+    trial.rows = trial.statistics.total_rows();
+  }
+  if (trial.moments.cols() == 0) return trial;
+  trial.moments = sizes.of(trial.moments, parameter_count(axis_));
   const Eigen::Index width = trial.moments.cols();
-  trial.cost = trial.moments(width - 1, width - 1) + precision(width).dot(target(width).cwiseAbs2());
+  const double of_prior = precision(width).dot(target(width).cwiseAbs2());
+  trial.squares = trial.moments(width - 1, width - 1) + of_prior;
+  trial.cost = weighs_all_ages_ ? trial.cost + of_prior : trial.squares;
   return trial;
 }
 
@@ -207,13 +220,13 @@ bool AxisFit::improve(Trial& best) {
   if (width == 0) return false;
   const std::vector<Eigen::Index> active = all_columns(width - 1);
   const LinearFit solution = fit(best.moments, active, precision(width), target(width));
-  const double unit = std::max(solution.rss / std::max(best.statistics.total_rows(), 1.0), 1.0e-12);
+  const double unit = std::max(solution.rss / std::max(best.rows, 1.0), 1.0e-12);
   covariance_ = unit * solution.covariance;
   standard_error_ = covariance_.diagonal().cwiseSqrt();
   const auto parameters = static_cast<Eigen::Index>(parameter_count(axis_));
   known_directions_ = directions_known(unit * solution.covariance.topLeftCorner(parameters, parameters),
                                        precision(width).head(parameters));
-  const double promised = best.cost - solution.rss;
+  const double promised = best.squares - solution.rss;
   if (!(promised > kSettled * unit)) return false;
   const GapModel start = model_;
   for (; best.damping < kDampings.size(); ++best.damping) {
@@ -307,6 +320,12 @@ void AxisFit::refit_with_this_noise() {
   Trial best = tried();
   for (int i = 0; i < kMostSteps && improve(best); ++i) {
   }
+}
+
+void AxisFit::refit_beside_lasting_noise() {
+  weighs_all_ages_ = true;
+  refit_with_this_noise();
+  weighs_all_ages_ = false;
 }
 
 AxisFit::Rival AxisFit::as_rival() const {

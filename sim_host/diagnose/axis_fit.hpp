@@ -60,6 +60,8 @@ class AxisFit {
   void refit();
   /// The same without the whitening either: what is compared must be judged alike.
   void refit_with_this_noise();
+  /// The same beside noise that lasts: parameters, sizes and their covariance; nothing else changes.
+  void refit_beside_lasting_noise();
 
   /// Twice the negative logarithm of the likelihood of the fitted model; infinite before.
   [[nodiscard]] double unlikeliness() const { return unlikeliness_; }
@@ -113,7 +115,9 @@ class AxisFit {
   struct Trial {
     GapStatistics statistics;
     Eigen::MatrixXd moments;
-    double cost = 0.0;        ///< squares of the innovations and of the prior
+    double rows = 0.0;
+    double squares = 0.0;     ///< of the innovations and of the prior
+    double cost = 0.0;        ///< that is to become smaller
     std::size_t damping = 0;  ///< that the next step begins with
   };
   /// What the parts of an effect of the model are multiplied by, 1 where the shape is the size, and how well
@@ -147,6 +151,7 @@ class AxisFit {
   Whitening whitening_;
   double least_noise_share_ = kUsualNoiseShare;
   double unlikeliness_ = kNone;
+  bool weighs_all_ages_ = false;
   int known_directions_ = 0;
   Eigen::MatrixXd covariance_;  ///< of parameters and sizes
   Eigen::VectorXd standard_error_;

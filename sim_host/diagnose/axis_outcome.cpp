@@ -8,6 +8,7 @@
 #include "sim_host/diagnose/effect_naming.hpp"
 #include "sim_host/diagnose/nominal_fit.hpp"
 #include "sim_host/diagnose/white_innovations.hpp"
+#include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
 namespace {
@@ -16,6 +17,9 @@ constexpr double kSearchShare = 0.9;  // of an axis's time, about
 // Deviance per row: right names had 0.005 and more in 623 of 633 cases on tests/blind, names that random
 // forces of 1 ms had made 0.004 and less.
 constexpr double kMostOfNoise = 0.005;
+// Of what is predictable: names that were not there had up to 1.16 of it in 237 recordings of another
+// simulator, right ones 1.2 and more.
+constexpr double kNamedOfNoise = 1.2;
 constexpr std::size_t kManyEffects = 3;
 // Of the deviance that names and what is left beside them take: on tests/blind functions without a name took
 // up to 0.62 of it where names were right, and 0.73 and more where the cause had none.
@@ -30,23 +34,25 @@ ChanceEvidence bootstrapped(const AxisDiagnosis& diagnosis, const DiagnosisOptio
                          });
 }
 
-void drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
+/// Was there any?
+bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
   auto& found = diagnosis.found;
   const auto is_chance = [&](const Finding& f) { return !(f.evidence >= diagnosis.needed(f, threshold)); };
-  if (std::none_of(found.begin(), found.end(), is_chance)) return;
+  if (std::none_of(found.begin(), found.end(), is_chance)) return false;
   std::vector<Finding> kept;
   std::copy_if(found.begin(), found.end(), std::back_inserter(kept),
                [&](const Finding& f) { return !is_chance(f); });
   found = std::move(kept);
   if (found.empty()) {
     diagnosis.fit = diagnosis.nominal;
-    return;
+    return true;
   }
   auto& effects = diagnosis.fit.model().effects;
   effects.clear();
   for (const Finding& finding : found) effects.push_back(finding.effect);
   diagnosis.fit.settle();
   for (std::size_t i = 0; i < found.size(); ++i) found[i].effect = effects[i];
+  return true;
 }
 
 double datasheet_evidence(const AxisFit& nominal) {
@@ -64,7 +70,7 @@ double datasheet_evidence(const AxisFit& nominal) {
 /// some of what is predictable of it, the more the longer the recording.
 double noise_evidence(const AxisFit& fit) {
   const double most = kMostOfNoise * static_cast<double>(fit.signals().rows);
-  return std::min(predictable_deviance(fit.innovations()), most);
+  return std::min(kNamedOfNoise * predictable_deviance(fit.innovations()), most);
 }
 
 AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const DiagnosisOptions& options) {
@@ -85,6 +91,18 @@ bool is_doubtful(const AxisOutcome& outcome) {
   const bool is_left =
       left >= outcome.least_unnamed() && left > kGoodDeal * (left + outcome.named_deviance());
   return is_left || outcome.diagnosis.found.size() >= kManyEffects;
+}
+
+void conclude(AxisOutcome& outcome, double noise_evidence) {
+  AxisDiagnosis& diagnosis = outcome.diagnosis;
+  const bool is_lasting = outcome.noise_evidence > 0.0 && !diagnosis.fit.signals().is_thinned;
+  outcome.noise_evidence = noise_evidence;
+  if (drop_what_chance_explains(diagnosis, outcome.threshold()))
+    outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
+  if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();
+  diagnosis.fit.attribute_load();
+  diagnosis.nominal.attribute_load();
+  outcome.parameter_evidence = datasheet_evidence(diagnosis.nominal);
 }
 
 /// Three causes and more that a few functions without a name nearly stand in for share a cause that has none.
@@ -119,10 +137,14 @@ std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals
     if (other.diagnosis.cost() < outcome.diagnosis.cost()) outcome = std::move(other);
   }
   drop_what_needs_no_names(outcome);
-  outcome.diagnosis.fit.attribute_load();
-  outcome.diagnosis.nominal.attribute_load();
-  outcome.parameter_evidence = datasheet_evidence(outcome.diagnosis.nominal);
   return outcome;
+}
+
+void conclude(std::span<AxisOutcome> outcomes) {
+  double noise_evidence = 0.0;
+  for (const AxisOutcome& outcome : outcomes)
+    noise_evidence = std::max(noise_evidence, outcome.noise_evidence);
+  in_parallel(outcomes.size(), [&](std::size_t i) { conclude(outcomes[i], noise_evidence); });
 }
 
 }  // namespace morepro::host

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/bootstrap.hpp"
@@ -29,6 +30,10 @@ struct AxisOutcome {
   [[nodiscard]] double least_function() const;
   /// Deviance that structure without a name needs.
   [[nodiscard]] double least_unnamed() const { return std::max(kLeastUnnamed, noise_evidence); }
+  /// Deviance of what has no name; 0 where chance may do as much.
+  [[nodiscard]] double unnamed_deviance() const {
+    return leftover.gain >= least_unnamed() ? leftover.gain : 0.0;
+  }
   /// Deviance that all names together take.
   [[nodiscard]] double named_deviance() const;
 };
@@ -36,5 +41,9 @@ struct AxisOutcome {
 /// Nothing where no row of the axis can be used.
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
                                       const DiagnosisOptions& options);
+
+/// The last of it, for both axes together. What shakes one of them shakes the other: of nine names that were
+/// worth enough for their own axis's noise only, none was right.
+void conclude(std::span<AxisOutcome> outcomes);
 
 }  // namespace morepro::host

@@ -131,6 +131,7 @@ class Diagnosis {
     });
     for (auto& outcome : outcomes)
       if (outcome) outcomes_.push_back(std::move(*outcome));
+    conclude(outcomes_);
   }
 
   void look_for_jitter() {
@@ -162,7 +163,7 @@ class Diagnosis {
     for (const AxisOutcome& outcome : outcomes_) {
       result_.threshold_evidence = std::max(result_.threshold_evidence, outcome.threshold());
       result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
-      const double leftover = outcome.leftover.gain >= outcome.least_unnamed() ? outcome.leftover.gain : 0.0;
+      const double leftover = outcome.unnamed_deviance();
       unnamed += excess_of(leftover);
       result_.unexplained_evidence += outcome.leftover.gain;
       named += excess_of(leftover + outcome.named_deviance()) - excess_of(leftover);
@@ -225,11 +226,11 @@ class Diagnosis {
 
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
     const AxisFit& fit = outcome.diagnosis.fit;
-    const double all = excess_of(outcome.leftover.gain + outcome.named_deviance());
-    const double unnamed = all > 0.0 ? excess_of(outcome.leftover.gain) / all : 0.0;
+    const double all = excess_of(outcome.unnamed_deviance() + outcome.named_deviance());
+    const double unnamed = all > 0.0 ? excess_of(outcome.unnamed_deviance()) / all : 0.0;
     const double temperature = outcome.chance.temperature;
     EffectResult effect = named_effect(
-        finding, fit, {temperature, result_.threshold_evidence, unnamed, causes_of(outcome.diagnosis.found)});
+        finding, fit, {temperature, outcome.threshold(), unnamed, causes_of(outcome.diagnosis.found)});
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
@@ -267,12 +268,11 @@ class Diagnosis {
 
   /// Deviance of the nameless structure that sits in one balance.
   static double leftover_in(gap::Balance balance, const AxisOutcome& outcome) {
-    if (outcome.leftover.gain < outcome.least_unnamed()) return 0.0;
     const double torque = outcome.leftover.torque_share;
     const double share = balance == gap::Balance::kArmatureVoltage ? 1.0 - torque
                          : balance == gap::Balance::kSpindleTorque ? torque
                                                                    : 1.0;
-    return share * outcome.leftover.gain;
+    return share * outcome.unnamed_deviance();
   }
 
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -66,6 +67,20 @@ TEST_F(Naming, SharesItsOddsWithWhatFitsAsWell) {
   const EffectResult two = named({{Effect::kFeedSpring, 4000.0}, {Effect::kFeedForceOffset, 4000.0}});
   EXPECT_NEAR(two.confidence, 0.49, 1.0e-6);
   EXPECT_EQ(two.alias_set, (Effects{Effect::kFeedSpring, Effect::kFeedForceOffset}));
+}
+
+// What chance is worth is an estimate, too: a quarter more is not sure yet.
+TEST_F(Naming, IsHalfSureWhereChanceMayBeWorthAsMuch) {
+  EXPECT_NEAR(named({{Effect::kFeedSpring, 40.0}}).confidence, 0.49, 1.0e-6);
+  EXPECT_NEAR(named({{Effect::kFeedSpring, 50.0}}).confidence, 0.98 / (1.0 + std::exp(-1.0)), 1.0e-6);
+  EXPECT_GT(named({{Effect::kFeedSpring, 100.0}}).confidence, 0.97);
+}
+
+// It was found when other effects were still missing, and is worth more beside them.
+TEST_F(Naming, IsAsSureAsTheEffectIsWorthInTheEnd) {
+  Finding finding = finding_of({{Effect::kFeedSpring, 30.0}});
+  finding.evidence = 400.0;
+  EXPECT_GT(named_effect(finding, fit, {.threshold = 40.0, .causes = 1}).confidence, 0.97);
 }
 
 // 2 % of the evidence decides about odds, but not about what might be meant.

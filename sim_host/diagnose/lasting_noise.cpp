@@ -1,0 +1,186 @@
+#include "sim_host/diagnose/lasting_noise.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace morepro::host {
+namespace {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+template <class T>
+using PerSensor = std::array<T, kSensorsPerAxis>;
+
+/// Innovations of neighbouring ages share one weight, the older the more of them.
+struct Ages {
+  Eigen::Index first;
+  Eigen::Index last;
+};
+constexpr std::array<Ages, 9> kAges{
+    {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 6}, {7, 8}, {9, 12}, {13, 16}, {17, 24}}};
+constexpr Eigen::Index kOldest = kAges.back().last;
+/// Of the past of both sensors.
+constexpr auto kWeights = static_cast<Eigen::Index>(kAges.size() * kSensorsPerAxis);
+constexpr Eigen::Index kBatch = 256;
+constexpr std::size_t kSettling = 50;  // rows in which an observer does
+constexpr double kHuber = 5.0;         // standard deviations that a row counts for at most
+constexpr double kStiff = 1.0e-6;      // of the rows: keeps weights of columns that are nothing at zero
+
+using Weights = Eigen::Matrix<double, kWeights, 1>;
+
+/// Rows of one sensor in a piece of the recording, zero where it has none, and sums of those before.
+struct SensorRows {
+  explicit SensorRows(Eigen::Index width) : raw(RowMatrix::Zero(kOldest + kBatch, width)) {
+    past.fill(RowMatrix::Zero(kBatch, width));
+  }
+
+  void sum_up_past() {
+    for (std::size_t group = 0; group < kAges.size(); ++group) {
+      past[group] = raw.middleRows(kOldest - kAges[group].first, kBatch);
+      for (Eigen::Index age = kAges[group].first + 1; age <= kAges[group].last; ++age)
+        past[group] += raw.middleRows(kOldest - age, kBatch);
+    }
+  }
+
+  void move_on() {
+    raw.topRows(kOldest) = raw.bottomRows(kOldest).eval();
+    raw.bottomRows(kBatch).setZero();
+    counts = {};
+  }
+
+  RowMatrix raw;  ///< [columns | innovation]: the last ones of the piece before, then this one's
+  std::array<RowMatrix, kAges.size()> past;  ///< of each group of ages
+  std::array<bool, kBatch> counts{};
+};
+
+/// Moments of each sensor: [past innovations | columns | innovation], the last two less what `weights` make
+/// of the past.
+class PastAndPresent {
+ public:
+  PastAndPresent(Eigen::Index width, const PerSensor<Weights>& weights)
+      : weights_(weights),
+        width_(width),
+        batch_(kBatch, kWeights + width),
+        sensors_{SensorRows(width), SensorRows(width)} {
+    sums_.fill(Eigen::MatrixXd::Zero(kWeights + width, kWeights + width));
+  }
+
+  void begin_stretch(std::size_t first) {
+    flush();
+    for (SensorRows& sensor : sensors_) sensor.raw.setZero();
+    first_ = first;
+    settled_ = first + kSettling;
+  }
+
+  void take(const Innovation& innovation, double weight) {
+    for (; innovation.row >= first_ + kBatch; first_ += kBatch) flush();
+    SensorRows& sensor = sensors_[innovation.sensor];
+    const std::size_t i = innovation.row - first_;
+    sensor.counts[i] = innovation.row >= settled_;
+    auto row = sensor.raw.row(kOldest + static_cast<Eigen::Index>(i));
+    const auto columns = static_cast<Eigen::Index>(innovation.columns.size());
+    row.head(columns) = weight * Eigen::Map<const Eigen::RowVectorXd>(innovation.columns.data(), columns);
+    row(columns) = weight * innovation.value;
+  }
+
+  void flush() {
+    for (SensorRows& sensor : sensors_) sensor.sum_up_past();
+    for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) add(sensor);
+    for (SensorRows& sensor : sensors_) sensor.move_on();
+  }
+
+  [[nodiscard]] double rows(std::size_t sensor) const { return rows_[sensor]; }
+  /// What one step more makes of the weights.
+  [[nodiscard]] Weights better_weights(std::size_t sensor) const {
+    return weights_[sensor] + solved(sensor, sums_[sensor].bottomLeftCorner(1, kWeights).transpose());
+  }
+  /// Without what the past predicts with these weights or any others.
+  [[nodiscard]] Eigen::MatrixXd without_past(std::size_t sensor) const {
+    const auto across = sums_[sensor].bottomLeftCorner(width_, kWeights);
+    const Eigen::MatrixXd all =
+        sums_[sensor].bottomRightCorner(width_, width_).selfadjointView<Eigen::Lower>();
+    return all - across * solved(sensor, across.transpose());
+  }
+
+ private:
+  [[nodiscard]] Eigen::MatrixXd solved(std::size_t sensor, const Eigen::MatrixXd& right) const {
+    Eigen::MatrixXd past = sums_[sensor].topLeftCorner(kWeights, kWeights);
+    past.diagonal().array() += kStiff * std::max(rows_[sensor], 1.0);
+    return past.selfadjointView<Eigen::Lower>().ldlt().solve(right);
+  }
+
+  void add(std::size_t sensor) {
+    const SensorRows& own = sensors_[sensor];
+    if (std::none_of(own.counts.begin(), own.counts.end(), [](bool counts) { return counts; })) return;
+    auto now = batch_.rightCols(width_);
+    now = own.raw.bottomRows(kBatch);
+    Eigen::Index next = 0;
+    for (const SensorRows* of : std::array<const SensorRows*, 2>{&own, &sensors_[1 - sensor]})
+      for (const RowMatrix& past : of->past) {
+        batch_.col(next) = past.rightCols(1);
+        now -= weights_[sensor](next++) * past;
+      }
+    for (Eigen::Index i = 0; i < kBatch; ++i) {
+      const bool counts = own.counts[static_cast<std::size_t>(i)];
+      const double size = std::fabs(now(i, width_ - 1));
+      batch_.row(i) *= !counts ? 0.0 : size > kHuber ? std::sqrt(kHuber / size) : 1.0;
+      rows_[sensor] += counts ? 1.0 : 0.0;
+    }
+    sums_[sensor].selfadjointView<Eigen::Lower>().rankUpdate(batch_.transpose());
+  }
+
+  PerSensor<Weights> weights_;
+  Eigen::Index width_;
+  RowMatrix batch_;
+  PerSensor<SensorRows> sensors_;
+  PerSensor<Eigen::MatrixXd> sums_;
+  PerSensor<double> rows_{};
+  std::size_t first_ = 0;
+  std::size_t settled_ = 0;
+};
+
+}  // namespace
+
+NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
+                                   std::span<const Stretch> stretches, const GapModel& model,
+                                   const Disturbances& disturbances, const Whitening& whitening) {
+  PerSensor<double> log_variance{};
+  const auto weigh = [&](const Innovation& innovation) {
+    const double scale = whitening[innovation.sensor].scale[innovation.in_contact ? 1 : 0];
+    return 1.0 / (scale * std::sqrt(innovation.variance));
+  };
+  // Where only the weights are looked for, nothing but the innovations themselves is needed.
+  PastAndPresent innovations(1, {Weights::Zero(), Weights::Zero()});
+  for (const auto& [first, last] : stretches) {
+    innovations.begin_stretch(first);
+    run_observer(axis, signals, model, first, last, [&](const Innovation& innovation) {
+      log_variance[innovation.sensor] += std::log(innovation.variance);
+      innovations.take(innovation, weigh(innovation));
+    });
+  }
+  innovations.flush();
+  Eigen::Index width = static_cast<Eigen::Index>(parameter_count(axis)) + 1;
+  for (const gap::EffectForm& form : disturbances.forms) width += form.parts;
+  PastAndPresent all(width, {innovations.better_weights(0), innovations.better_weights(1)});
+  for (const auto& [first, last] : stretches) {
+    all.begin_stretch(first);
+    run_observer(axis, signals, model, disturbances, first, last,
+                 [&](const Innovation& innovation) { all.take(innovation, weigh(innovation)); });
+  }
+  all.flush();
+  NewParts parts{.moments = Eigen::MatrixXd::Zero(width, width)};
+  for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) {
+    const double rows = all.rows(sensor);
+    if (!(rows > static_cast<double>(kWeights))) continue;
+    const Eigen::MatrixXd moments = all.without_past(sensor);
+    const double left = moments(width - 1, width - 1) / rows;
+    parts.moments += moments / left;
+    parts.rows += rows;
+    parts.deviance += rows * std::log(left) + log_variance[sensor];
+  }
+  return parts;
+}
+
+}  // namespace morepro::host
