@@ -17,6 +17,7 @@ struct Finding {
   gap::AppliedEffect effect;
   double evidence = 0.0;          ///< how much less likely the recording is without it, as a deviance
   std::vector<Candidate> rivals;  ///< as they stood when it was chosen, itself first
+  double kept = 1.0;              ///< share of the evidence that is left beside noise that may last
 };
 
 /// What was found out about one axis.

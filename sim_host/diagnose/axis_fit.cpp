@@ -316,16 +316,18 @@ void AxisFit::match_noise() {
   unlikeliness_ = unlikeliness_of(here.statistics);
 }
 
-void AxisFit::refit_with_this_noise() {
+double AxisFit::refit_with_this_noise() {
   Trial best = tried();
   for (int i = 0; i < kMostSteps && improve(best); ++i) {
   }
+  return best.cost;
 }
 
-void AxisFit::refit_beside_lasting_noise() {
+double AxisFit::refit_beside_lasting_noise() {
   weighs_all_ages_ = true;
-  refit_with_this_noise();
+  const double deviance = refit_with_this_noise();
   weighs_all_ages_ = false;
+  return deviance;
 }
 
 AxisFit::Rival AxisFit::as_rival() const {

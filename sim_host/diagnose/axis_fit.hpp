@@ -59,9 +59,10 @@ class AxisFit {
   /// The same without the process noise.
   void refit();
   /// The same without the whitening either: what is compared must be judged alike.
-  void refit_with_this_noise();
-  /// The same beside noise that lasts: parameters, sizes and their covariance; nothing else changes.
-  void refit_beside_lasting_noise();
+  double refit_with_this_noise();
+  /// The same beside noise that lasts: parameters, sizes and their covariance; nothing else changes. Returns
+  /// twice the negative logarithm of the likelihood there.
+  double refit_beside_lasting_noise();
 
   /// Twice the negative logarithm of the likelihood of the fitted model; infinite before.
   [[nodiscard]] double unlikeliness() const { return unlikeliness_; }

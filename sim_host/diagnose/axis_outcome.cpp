@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 #include "sim_host/diagnose/effect_naming.hpp"
+#include "sim_host/diagnose/name_checks.hpp"
 #include "sim_host/diagnose/nominal_fit.hpp"
 #include "sim_host/diagnose/white_innovations.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -14,9 +14,6 @@ namespace morepro::host {
 namespace {
 
 constexpr double kSearchShare = 0.9;  // of an axis's time, about
-// Deviance per row: right names had 0.005 and more in 623 of 633 cases on tests/blind, names that random
-// forces of 1 ms had made 0.004 and less.
-constexpr double kMostOfNoise = 0.005;
 // Of what is predictable: names that were not there had up to 1.16 of it in 237 recordings of another
 // simulator, right ones 1.2 and more.
 constexpr double kNamedOfNoise = 1.2;
@@ -32,27 +29,6 @@ ChanceEvidence bootstrapped(const AxisDiagnosis& diagnosis, const DiagnosisOptio
                            const double share = ++done / static_cast<double>(options.bootstrap_runs);
                            options.on_progress(kSearchShare + (1.0 - kSearchShare) * share);
                          });
-}
-
-/// Was there any?
-bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
-  auto& found = diagnosis.found;
-  const auto is_chance = [&](const Finding& f) { return !(f.evidence >= diagnosis.needed(f, threshold)); };
-  if (std::none_of(found.begin(), found.end(), is_chance)) return false;
-  std::vector<Finding> kept;
-  std::copy_if(found.begin(), found.end(), std::back_inserter(kept),
-               [&](const Finding& f) { return !is_chance(f); });
-  found = std::move(kept);
-  if (found.empty()) {
-    diagnosis.fit = diagnosis.nominal;
-    return true;
-  }
-  auto& effects = diagnosis.fit.model().effects;
-  effects.clear();
-  for (const Finding& finding : found) effects.push_back(finding.effect);
-  diagnosis.fit.settle();
-  for (std::size_t i = 0; i < found.size(); ++i) found[i].effect = effects[i];
-  return true;
 }
 
 double datasheet_evidence(const AxisFit& nominal) {
@@ -93,12 +69,24 @@ bool is_doubtful(const AxisOutcome& outcome) {
   return is_left || outcome.diagnosis.found.size() >= kManyEffects;
 }
 
+/// What more than noise may be worth was dropped: it is there, and has no name.
+void keep_without_name(double deviance, AxisOutcome& outcome) {
+  const double of_noise = kMostOfNoise * static_cast<double>(outcome.diagnosis.fit.signals().rows);
+  if (!(deviance > of_noise && deviance > outcome.leftover.gain)) return;
+  if (!(outcome.leftover.gain > 0.0)) outcome.leftover.torque_share = 0.5;
+  outcome.leftover.gain = deviance;
+}
+
 void conclude(AxisOutcome& outcome, double noise_evidence) {
   AxisDiagnosis& diagnosis = outcome.diagnosis;
   const bool is_lasting = outcome.noise_evidence > 0.0 && !diagnosis.fit.signals().is_thinned;
   outcome.noise_evidence = noise_evidence;
-  if (drop_what_chance_explains(diagnosis, outcome.threshold()))
+  const bool is_chance = drop_what_chance_explains(diagnosis, outcome.threshold());
+  const double named = outcome.named_deviance();
+  if (drop_what_lasting_noise_explains(diagnosis) || is_chance) {
     outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
+    keep_without_name(named - outcome.named_deviance(), outcome);
+  }
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();
   diagnosis.fit.attribute_load();
   diagnosis.nominal.attribute_load();

@@ -137,7 +137,9 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
     forms.add(Effect::kFeedScrewPeriodic, kUsualPitchesM, 2);
   forms.add(Effect::kFeedSpring);
   forms.add_bending(Effect::kFeedForceSaturation);
-  forms.add(Effect::kFeedDriveLag, {0.5 * step_s, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3, 6.4e-3, 1.28e-2});
+  // Shorter ones cannot be told from how a force's means lie, longer ones no axis could be controlled with.
+  if (!signals.is_thinned)
+    forms.add(Effect::kFeedDriveLag, {0.5 * step_s, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3, 6.4e-3, 1.28e-2});
   forms.add(Effect::kFeedBacklash, {1.0e-6, 3.0e-6, 1.0e-5, 3.0e-5, 1.0e-4, 3.0e-4}, 2);
   forms.add(Effect::kFeedPresliding, {2.0e-6, 1.0e-5, 5.0e-5, 2.0e-4, 1.0e-3});
   if (signals.has(Channel::kFeedSpeed))

@@ -7,6 +7,7 @@
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
+#include "sim_host/diagnose/name_checks.hpp"
 
 namespace morepro::host {
 namespace {
@@ -31,6 +32,9 @@ constexpr double kAliasShare = 0.4;
 // tests/blind half of the names are right then.
 constexpr std::size_t kUsualCauses = 2;
 constexpr double kCrowded = 0.5;
+// What a sensor or a flux does that wanders by itself, laws of what was measured follow for a while: of
+// eleven names that kept this little beside noise that may last five were right.
+constexpr double kWandering = 0.5;
 // Beside structure without a name, which may be all there is: of 30 such names on tests/blind one was right.
 constexpr double kBesideUnexplained = 0.1;
 // Of 160 names that nothing spoke against, one was a neighbour's whose shape fitted better (tests/blind).
@@ -110,6 +114,7 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
   effect.confidence = kBestRecord * (1.0 - context.unnamed_share) / sum;
   if (context.unnamed_share > kUnexplainedShare) effect.confidence *= kBesideUnexplained;
   if (context.causes > kUsualCauses) effect.confidence *= kCrowded;
+  if (finding.kept < kUsuallyKept) effect.confidence *= kWandering;
   return effect;
 }
 

@@ -147,17 +147,17 @@ NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
                                    std::span<const Stretch> stretches, const GapModel& model,
                                    const Disturbances& disturbances, const Whitening& whitening) {
   PerSensor<double> log_variance{};
-  const auto weigh = [&](const Innovation& innovation) {
-    const double scale = whitening[innovation.sensor].scale[innovation.in_contact ? 1 : 0];
-    return 1.0 / (scale * std::sqrt(innovation.variance));
+  const auto deviation_of = [&](const Innovation& innovation) {
+    return whitening[innovation.sensor].scale[innovation.in_contact ? 1 : 0] * std::sqrt(innovation.variance);
   };
   // Where only the weights are looked for, nothing but the innovations themselves is needed.
   PastAndPresent innovations(1, {Weights::Zero(), Weights::Zero()});
   for (const auto& [first, last] : stretches) {
     innovations.begin_stretch(first);
     run_observer(axis, signals, model, first, last, [&](const Innovation& innovation) {
-      log_variance[innovation.sensor] += std::log(innovation.variance);
-      innovations.take(innovation, weigh(innovation));
+      const double deviation = deviation_of(innovation);
+      log_variance[innovation.sensor] += 2.0 * std::log(deviation);
+      innovations.take(innovation, 1.0 / deviation);
     });
   }
   innovations.flush();
@@ -167,7 +167,7 @@ NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
   for (const auto& [first, last] : stretches) {
     all.begin_stretch(first);
     run_observer(axis, signals, model, disturbances, first, last,
-                 [&](const Innovation& innovation) { all.take(innovation, weigh(innovation)); });
+                 [&](const Innovation& innovation) { all.take(innovation, 1.0 / deviation_of(innovation)); });
   }
   all.flush();
   NewParts parts{.moments = Eigen::MatrixXd::Zero(width, width)};

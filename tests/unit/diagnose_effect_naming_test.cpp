@@ -76,6 +76,12 @@ TEST_F(Naming, IsHalfSureWhereChanceMayBeWorthAsMuch) {
   EXPECT_GT(named({{Effect::kFeedSpring, 100.0}}).confidence, 0.97);
 }
 
+TEST_F(Naming, IsHalfBelievedWhereWhatWandersDoesNearlyAsMuch) {
+  Finding finding = finding_of({{Effect::kFeedSpring, 4000.0}});
+  finding.kept = 0.2;
+  EXPECT_NEAR(named_effect(finding, fit, {.threshold = 40.0, .causes = 1}).confidence, 0.49, 1.0e-6);
+}
+
 // It was found when other effects were still missing, and is worth more beside them.
 TEST_F(Naming, IsAsSureAsTheEffectIsWorthInTheEnd) {
   Finding finding = finding_of({{Effect::kFeedSpring, 30.0}});

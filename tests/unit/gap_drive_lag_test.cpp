@@ -39,7 +39,7 @@ double worst_current(double step_s) {
 }
 
 // What is left of a correction of second order, twice. With the mean voltage of each step it is 9e-4, 3.5e-3
-// and 2.2e-2: a lag of 0.5 ms was found as 0.4925 ms at 5 kHz.
+// and 2.2e-2: a lag of 0.5 ms was found as 0.4925 ms at 10 kHz.
 TEST(DriveLag, ReachesTheCurrentAsItDoesBetweenSamples) {
   EXPECT_LT(worst_current(1.0e-4), 2.0e-6);
   EXPECT_LT(worst_current(2.0e-4), 3.0e-5);

@@ -1,0 +1,53 @@
+// Sensors that wander within seconds: several laws together follow them for as long as a recording lasts, and
+// each is worth thousands. Innovations before predict as much.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+/// Three sines of no common period.
+void let_wander(RecordingSignals& signals, Channel channel, double size) {
+  for (std::size_t row = 0; row < signals.rows; ++row) {
+    const double turn = 2.0 * std::numbers::pi * signals.time_s(row) / 4.0;
+    const double wander =
+        std::sin(turn) + 0.7 * std::sin(0.37 * turn + 1.0) + 0.4 * std::sin(2.3 * turn + 2.0);
+    signals.value[index_of(channel)][row] += static_cast<float>(size * wander);
+  }
+}
+
+struct Case {
+  Channel channel;
+  double size;
+};
+
+class WanderingSensor : public testing::TestWithParam<Case> {};
+
+TEST_P(WanderingSensor, IsNoneOfTheCatalogue) {
+  auto signals = record({.duration_s = 5.0, .seed = 3});
+  let_wander(signals, GetParam().channel, GetParam().size);
+  const DiagnosisResult result = diagnosed(std::move(signals), datasheet(0.0));
+  EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
+  EXPECT_TRUE(result.which.empty()) << said(result);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, WanderingSensor,
+                         testing::Values(Case{Channel::kArmatureCurrent, 0.05},
+                                         Case{Channel::kArmatureCurrent, 0.4}));
+
+// What does not wander is worth about as much as before.
+TEST(ConstantBias, KeepsItsName) {
+  auto signals = record({.duration_s = 5.0, .seed = 3});
+  for (float& value : signals.value[index_of(Channel::kArmatureCurrent)]) value += 0.2F;
+  const DiagnosisResult result = diagnosed(std::move(signals), datasheet(0.0));
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_EQ(result.which.front().effect, Effect::kCurrentBias);
+  EXPECT_NEAR(result.which.front().magnitude, 0.2, 0.01);
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test
