@@ -330,6 +330,12 @@ double AxisFit::refit_beside_lasting_noise() {
   return deviance;
 }
 
+double AxisFit::deviance_beside_lasting_noise() const {
+  AxisFit fit = *this;
+  fit.weighs_all_ages_ = true;
+  return fit.tried().cost;
+}
+
 AxisFit::Rival AxisFit::as_rival() const {
   AxisFit narrow = *this;
   narrow.narrow_down();

@@ -63,6 +63,8 @@ class AxisFit {
   /// The same beside noise that lasts: parameters, sizes and their covariance; nothing else changes. Returns
   /// twice the negative logarithm of the likelihood there.
   double refit_beside_lasting_noise();
+  /// The same likelihood of the model as it stands.
+  [[nodiscard]] double deviance_beside_lasting_noise() const;
 
   /// Twice the negative logarithm of the likelihood of the fitted model; infinite before.
   [[nodiscard]] double unlikeliness() const { return unlikeliness_; }

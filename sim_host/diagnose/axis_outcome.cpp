@@ -31,6 +31,12 @@ ChanceEvidence bootstrapped(const AxisDiagnosis& diagnosis, const DiagnosisOptio
                          });
 }
 
+/// Deviance that refitted parameters gain by chance.
+double freedom_of_parameters(const AxisFit& fit) {
+  return static_cast<double>(parameter_count(fit.axis())) *
+         std::log(static_cast<double>(fit.signals().rows) + 2.0);
+}
+
 double datasheet_evidence(const AxisFit& nominal) {
   AxisFit datasheet = nominal;
   datasheet.model().machine = nominal.datasheet().machine;
@@ -38,8 +44,15 @@ double datasheet_evidence(const AxisFit& nominal) {
   const GapStatistics right = nominal.innovations();
   if (!(right.total_rows() > 0.0)) return 0.0;
   const double rows = right.total_rows();
-  const double freedom = static_cast<double>(parameter_count(nominal.axis()));
-  return rows * std::log(wrong.total()(0, 0) / right.total()(0, 0)) - freedom * std::log(rows);
+  return rows * std::log(wrong.total()(0, 0) / right.total()(0, 0)) - freedom_of_parameters(nominal);
+}
+
+/// The same where noise may last: what it bends the parameters by makes the recording likelier, too.
+double datasheet_evidence_beside_lasting_noise(const AxisFit& nominal) {
+  AxisFit datasheet = nominal;
+  datasheet.model().machine = nominal.datasheet().machine;
+  const double wrong = datasheet.deviance_beside_lasting_noise();
+  return wrong - AxisFit(nominal).refit_beside_lasting_noise() - freedom_of_parameters(nominal);
 }
 
 /// In closed loop, noise that lasts longer than the observer expects is in the regressors, too: names take
@@ -90,7 +103,8 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();
   diagnosis.fit.attribute_load();
   diagnosis.nominal.attribute_load();
-  outcome.parameter_evidence = datasheet_evidence(diagnosis.nominal);
+  outcome.parameter_evidence = is_lasting ? datasheet_evidence_beside_lasting_noise(diagnosis.nominal)
+                                          : datasheet_evidence(diagnosis.nominal);
 }
 
 /// Three causes and more that a few functions without a name nearly stand in for share a cause that has none.
