@@ -58,7 +58,8 @@ class AxisFit {
   void polish(double rival = kNone);
   /// The same without the process noise.
   void refit();
-  /// The same without the whitening either: what is compared must be judged alike.
+  /// The same without the whitening either: what is compared must be judged alike. Returns what is left to
+  /// be made smaller.
   double refit_with_this_noise();
   /// The same beside noise that lasts: parameters, sizes and their covariance; nothing else changes. Returns
   /// twice the negative logarithm of the likelihood there.
@@ -154,7 +155,7 @@ class AxisFit {
   Whitening whitening_;
   double least_noise_share_ = kUsualNoiseShare;
   double unlikeliness_ = kNone;
-  bool weighs_all_ages_ = false;
+  bool weighs_all_ages_ = false;  ///< of past innovations, beside noise that lasts
   int known_directions_ = 0;
   Eigen::MatrixXd covariance_;  ///< of parameters and sizes
   Eigen::VectorXd standard_error_;

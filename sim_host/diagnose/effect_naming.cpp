@@ -20,7 +20,7 @@ constexpr double kMisfitOfAliases = 0.015;
 constexpr double kMisfitOfOdds = 0.002;
 // Through the speed alone, what brakes the spindle and what takes from its voltage look nearly the same.
 constexpr double kMisfitOfOneSignal = 0.15;
-constexpr double kDoubtOfChance = 0.25;
+constexpr double kDoubtOfChance = 0.25;  // share of what chance may be worth, which is an estimate
 constexpr double kTwinShare = 0.4;
 constexpr double kShapeError = 0.01;  // of a size, from a shape that is not quite the machine's
 constexpr double kAliasOdds = 20.0;
@@ -93,7 +93,6 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
            (gap::info_of(effect.effect).aliases.contains(rival.form.effect) &&
             rival.evidence > kAliasShare * best);
   };
-  // What chance may be worth is itself known to a quarter only.
   const double of_chance = std::max(of_odds, kDoubtOfChance * context.threshold);
   double sum = 1.0 + std::exp(-(std::max(best, effect.evidence) - context.threshold) / of_chance);
   effect.alias_set = {effect.effect};

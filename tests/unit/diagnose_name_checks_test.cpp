@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
+#include "sim_host/diagnose/axis_outcome.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {
@@ -47,6 +50,27 @@ TEST(ConstantBias, KeepsItsName) {
   ASSERT_EQ(result.which.size(), 1U) << said(result);
   EXPECT_EQ(result.which.front().effect, Effect::kCurrentBias);
   EXPECT_NEAR(result.which.front().magnitude, 0.2, 0.01);
+}
+
+/// What is certain of both axes where the feed has dry friction, and noise that lasts may be worth so much to
+/// a name of the spindle.
+std::vector<host::AxisOutcome> concluded(const RecordingSignals& signals, double noise_of_spindle) {
+  const host::GapModel model = gap_model(datasheet(0.0), signals);
+  const host::DiagnosisOptions options{.bootstrap_runs = 0, .excluded = {}};
+  std::vector<host::AxisOutcome> outcomes;
+  for (const host::Axis axis : {host::Axis::kSpindle, host::Axis::kFeed})
+    outcomes.push_back(host::outcome_of(axis, signals, model, options).value());
+  outcomes.front().noise_evidence = noise_of_spindle;
+  host::conclude(outcomes);
+  return outcomes;
+}
+
+TEST(NoiseThatLasts, CountsForBothAxes) {
+  const auto signals = record({.effects = {effect(Effect::kFeedCoulombFriction, 6.0)}, .duration_s = 2.0});
+  const auto quiet = concluded(signals, 0.0);
+  ASSERT_FALSE(quiet.back().diagnosis.found.empty());
+  const double enough = 2.0 * quiet.back().diagnosis.found.front().evidence;
+  EXPECT_TRUE(concluded(signals, enough).back().diagnosis.found.empty());
 }
 
 }  // namespace
