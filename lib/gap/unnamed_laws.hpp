@@ -11,7 +11,7 @@
 namespace morepro::gap::laws {
 
 inline constexpr std::uint8_t kUnnamedSpindleLaws = 26;
-inline constexpr std::uint8_t kUnnamedFeedLaws = 23;
+inline constexpr std::uint8_t kUnnamedFeedLaws = 24;
 inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis
 
 template <class Real>
@@ -123,8 +123,10 @@ Real unnamed_feed(std::uint8_t law, const EffectSignals<Real>& s, const EffectSc
       return v * w;
     case 14:
       return w;
+    case 15:  // a force over the place: a mass that is not the same everywhere
+      return x * f;
     default:
-      return bell(x, static_cast<int>(law) - 15);
+      return bell(x, static_cast<int>(law) - 16);
   }
 }
 
