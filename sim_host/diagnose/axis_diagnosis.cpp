@@ -9,6 +9,7 @@
 #include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/effect_trial.hpp"
 #include "sim_host/diagnose/newest_effect.hpp"
+#include "sim_host/diagnose/nominal_fit.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -100,7 +101,17 @@ class Search {
     collect_rest();
     auto ranked = rank_candidates(fit_, diagnosis_.rest, diagnosis_.others);
     let_set_in(fit_, diagnosis_.rest, ranked);
-    if (is_bent(fit_)) prefer_by_datasheet(ranked);
+    is_astray_ = is_bent(fit_);
+    if (is_astray_) prefer_by_datasheet(ranked);
+    if (add_best_of(ranked)) return true;
+    // A model without effects may have taken for noise what is missing.
+    if (is_astray_ || !diagnosis_.found.empty() || leaves_noise(fit_)) return false;
+    is_astray_ = true;
+    prefer_by_datasheet(ranked);
+    return add_best_of(std::move(ranked));
+  }
+
+  bool add_best_of(std::vector<Candidate> ranked) {
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
@@ -134,7 +145,7 @@ class Search {
           rival.evidence *= kept;
           continue;
         }
-        trials.push_back(try_effect(fit_, rival, without));
+        trials.push_back(try_effect(fit_, rival, without, is_astray_));
       }
       const EffectTrial& trial = i < sure ? trials[i] : trials.back();
       rival = trial.candidate;
@@ -157,7 +168,7 @@ class Search {
     std::size_t count = 0;
     while (count < std::min(kMostRivals, ranked.size()) && ranked[count].evidence >= enough) ++count;
     std::vector<std::optional<EffectTrial>> trials(count);
-    in_parallel(count, [&](std::size_t i) { trials[i] = try_effect(fit_, ranked[i], without); });
+    in_parallel(count, [&](std::size_t i) { trials[i] = try_effect(fit_, ranked[i], without, is_astray_); });
     std::vector<EffectTrial> done;
     for (auto& trial : trials) done.push_back(std::move(*trial));
     return done;
@@ -167,13 +178,14 @@ class Search {
   /// `best`: what the best of those before has been worth, no more than was promised to the first.
   [[nodiscard]] bool is_worth_a_trial(const Candidate& rival, std::size_t tried, double best) const {
     if (tried >= kMostTrials || rival.evidence < diagnosis_.least_evidence) return false;
-    return best == 0.0 || (tried < kMostRivals && rival.evidence >= kNearlyAsGood * best);
+    return best < diagnosis_.least_evidence ||
+           (tried < kMostRivals && rival.evidence >= kNearlyAsGood * best);
   }
 
   /// What explains most beside the datasheet's parameters comes first; bent ones hide it.
   void prefer_by_datasheet(std::vector<Candidate>& ranked) const {
     AxisFit fit = at_datasheet(fit_);
-    fit.match_noise();
+    if (is_bent(fit_)) fit.match_noise();  // which may take what is hidden from the other model, too
     const GapStatistics statistics = fit.collect_with_each(diagnosis_.others);
     auto others = rank_candidates(fit, statistics, diagnosis_.others);
     let_set_in(fit, statistics, others);
@@ -293,6 +305,7 @@ class Search {
   AxisDiagnosis& diagnosis_;
   AxisFit& fit_;
   std::vector<gap::Effect> left_out_;
+  bool is_astray_ = false;  ///< the model as it is, as a beginning for others
   const std::function<void(double)>& on_progress_;
 };
 

@@ -88,6 +88,8 @@ class AxisFit {
   [[nodiscard]] Eigen::VectorXd deviation() const;
   /// Their standard errors, and the share of them that the recording does not tell (1: nothing known).
   [[nodiscard]] const Eigen::VectorXd& standard_error() const { return standard_error_; }
+  /// Theirs, and behind them that of the sizes of effects.
+  [[nodiscard]] const Eigen::MatrixXd& covariance() const { return covariance_; }
 
   /// By how many times its standard error an effect of the model differs from none, all its parts together,
   /// as one over it; 0 where it is not known.

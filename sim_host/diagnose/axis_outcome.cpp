@@ -1,5 +1,6 @@
 #include "sim_host/diagnose/axis_outcome.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -37,22 +38,44 @@ double freedom_of_parameters(const AxisFit& fit) {
          std::log(static_cast<double>(fit.signals().rows) + 2.0);
 }
 
-double datasheet_evidence(const AxisFit& nominal) {
+/// Deviance by which a datasheet's values are worse than those that were fitted.
+double deviance_of_datasheet(const AxisFit& nominal) {
   AxisFit datasheet = nominal;
   datasheet.model().machine = nominal.datasheet().machine;
   const GapStatistics wrong = datasheet.innovations();
   const GapStatistics right = nominal.innovations();
   if (!(right.total_rows() > 0.0)) return 0.0;
   const double rows = right.total_rows();
-  return rows * std::log(wrong.total()(0, 0) / right.total()(0, 0)) - freedom_of_parameters(nominal);
+  return rows * std::log(wrong.total()(0, 0) / right.total()(0, 0));
+}
+
+/// Squared distance of the values from a datasheet's, in standard errors, where these are right to a little
+/// all the same. Solvers and sensors that average leave as much, and a long recording is sure of it.
+double distance_from_datasheet(const AxisFit& nominal) {
+  constexpr double kExact = 0.005;  // relative
+  const Eigen::VectorXd deviation = nominal.deviation();
+  Eigen::VectorXd tolerance = Eigen::VectorXd::Constant(deviation.size(), kExact);
+  if (nominal.axis() == Axis::kFeed)
+    tolerance.tail(2).setConstant(kExact * std::fabs(nominal.datasheet().machine.feed.contact_force_n));
+  if (nominal.covariance().cols() < deviation.size()) return 0.0;
+  Eigen::MatrixXd covariance = nominal.covariance().topLeftCorner(deviation.size(), deviation.size());
+  covariance.diagonal() += tolerance.cwiseAbs2();
+  return deviation.dot(covariance.ldlt().solve(deviation));
+}
+
+bool is_datasheet_wrong(const AxisFit& nominal, double deviance) {
+  constexpr double kFar = 30.0;  // nine values reach 28 once in a thousand recordings
+  return deviance - freedom_of_parameters(nominal) > kFixedThreshold &&
+         distance_from_datasheet(nominal) > kFar;
 }
 
 /// The same where noise may last: what it bends the parameters by makes the recording likelier, too.
-double datasheet_evidence_beside_lasting_noise(const AxisFit& nominal) {
+bool is_datasheet_wrong_beside_lasting_noise(AxisFit nominal) {
   AxisFit datasheet = nominal;
   datasheet.model().machine = nominal.datasheet().machine;
   const double wrong = datasheet.deviance_beside_lasting_noise();
-  return wrong - AxisFit(nominal).refit_beside_lasting_noise() - freedom_of_parameters(nominal);
+  const double right = nominal.refit_beside_lasting_noise();
+  return is_datasheet_wrong(nominal, wrong - right);
 }
 
 /// In closed loop, noise that lasts longer than the observer expects is in the regressors, too: names take
@@ -103,8 +126,9 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();
   diagnosis.fit.attribute_load();
   diagnosis.nominal.attribute_load();
-  outcome.parameter_evidence = is_lasting ? datasheet_evidence_beside_lasting_noise(diagnosis.nominal)
-                                          : datasheet_evidence(diagnosis.nominal);
+  outcome.is_datasheet_wrong =
+      is_lasting ? is_datasheet_wrong_beside_lasting_noise(diagnosis.nominal)
+                 : is_datasheet_wrong(diagnosis.nominal, deviance_of_datasheet(diagnosis.nominal));
 }
 
 /// Three causes and more that a few functions without a name nearly stand in for share a cause that has none.
@@ -127,6 +151,14 @@ double AxisOutcome::least_function() const { return std::max(diagnosis.least_evi
 double AxisOutcome::named_deviance() const {
   if (diagnosis.found.empty()) return 0.0;
   return std::max(diagnosis.nominal.unlikeliness() - diagnosis.fit.unlikeliness(), 0.0);
+}
+
+double AxisOutcome::unnamed_deviance_in(gap::Balance balance) const {
+  const double torque = leftover.torque_share;
+  const double share = balance == gap::Balance::kArmatureVoltage ? 1.0 - torque
+                       : balance == gap::Balance::kSpindleTorque ? torque
+                                                                 : 1.0;
+  return share * unnamed_deviance();
 }
 
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,

@@ -22,7 +22,7 @@ struct AxisOutcome {
   Leftover leftover{};
   ChanceEvidence chance{};
   double noise_evidence = 0.0;      ///< what noise that lasts may be worth to a name that is not there
-  double parameter_evidence = 0.0;  ///< deviance by which the datasheet's values are worse than the refitted
+  bool is_datasheet_wrong = false;  ///< its values, where the structure is right
 
   /// Evidence that a name needs here.
   [[nodiscard]] double threshold() const;
@@ -34,6 +34,8 @@ struct AxisOutcome {
   [[nodiscard]] double unnamed_deviance() const {
     return leftover.gain >= least_unnamed() ? leftover.gain : 0.0;
   }
+  /// As much of it as sits in one balance of the axis.
+  [[nodiscard]] double unnamed_deviance_in(gap::Balance balance) const;
   /// Deviance that all names together take.
   [[nodiscard]] double named_deviance() const;
 };

@@ -80,6 +80,8 @@ class Diagnosis {
     judge();
     rank();
     measure();
+    reconsider();
+    result_.explanation = explanation();
     watch_like_a_board();
   }
 
@@ -168,7 +170,7 @@ class Diagnosis {
       result_.unexplained_evidence += outcome.leftover.gain;
       named += excess_of(leftover + outcome.named_deviance()) - excess_of(leftover);
       known += excess_of(std::max(outcome.diagnosis.known_evidence, 0.0));
-      has_wrong_parameters |= outcome.parameter_evidence > kFixedThreshold;
+      has_wrong_parameters |= outcome.is_datasheet_wrong;
       has_excitation |= is_excited(outcome.diagnosis.fit);
     }
     result_.bootstrap_runs = options_.bootstrap_runs;
@@ -183,7 +185,6 @@ class Diagnosis {
       result_.verdict = Verdict::kEffect;
     else
       result_.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
-    result_.explanation = explanation();
   }
 
   // What a deviance is worth as a share of the noise's power.
@@ -207,7 +208,15 @@ class Diagnosis {
                        [effect](const EffectResult& e) { return e.effect == effect; });
   }
 
+  void reconsider() {
+    is_closed_ = is_unexplained() && is_nearly_closed(result_.shrinkage);
+    if (!is_closed_) return;
+    result_.verdict = Verdict::kEffect;
+    rank();
+  }
+
   void rank() {
+    result_.which.clear();
     if (result_.verdict == Verdict::kInsufficientExcitation) return;
     for (const SamplingFault& fault : faults_) {
       EffectResult effect{.effect = fault.effect, .confidence = 0.97};
@@ -227,7 +236,9 @@ class Diagnosis {
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
     const AxisFit& fit = outcome.diagnosis.fit;
     const double all = excess_of(outcome.unnamed_deviance() + outcome.named_deviance());
-    const double unnamed = all > 0.0 ? excess_of(outcome.unnamed_deviance()) / all : 0.0;
+    const double unnamed = is_closed_  ? 1.0 - result_.shrinkage.share_closed
+                           : all > 0.0 ? excess_of(outcome.unnamed_deviance()) / all
+                                       : 0.0;
     const double temperature = outcome.chance.temperature;
     EffectResult effect = named_effect(
         finding, fit, {temperature, outcome.threshold(), unnamed, causes_of(outcome.diagnosis.found)});
@@ -253,8 +264,8 @@ class Diagnosis {
       const AxisOutcome& outcome = outcomes_[i];
       for (BalanceResult& balance : balances[i]) {
         const bool has_gap = balance.residual_ratio > kLeastGap * balance.residual_ratio_after;
-        unnamed.push_back(
-            {leftover_in(balance.balance, outcome), has_gap ? kUnseen * outcome.chance.temperature : 0.0});
+        unnamed.push_back({outcome.unnamed_deviance_in(balance.balance),
+                           has_gap ? kUnseen * outcome.chance.temperature : 0.0});
         mark(balance, outcome);
         result_.where.push_back(std::move(balance));
       }
@@ -264,15 +275,6 @@ class Diagnosis {
     }
     for (std::size_t b = 0; b < gap::kBalanceCount; ++b) add_if_absent(static_cast<gap::Balance>(b));
     if (!result_.which.empty()) share_closed(gaps, unnamed, options_.seed, result_.shrinkage);
-  }
-
-  /// Deviance of the nameless structure that sits in one balance.
-  static double leftover_in(gap::Balance balance, const AxisOutcome& outcome) {
-    const double torque = outcome.leftover.torque_share;
-    const double share = balance == gap::Balance::kArmatureVoltage ? 1.0 - torque
-                         : balance == gap::Balance::kSpindleTorque ? torque
-                                                                   : 1.0;
-    return share * outcome.unnamed_deviance();
   }
 
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
@@ -291,7 +293,7 @@ class Diagnosis {
         balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
       is_strongest &= !is_here;
     }
-    const double left = leftover_in(balance.balance, outcome);
+    const double left = outcome.unnamed_deviance_in(balance.balance);
     if (!(left >= 0.5 * outcome.leftover.gain && left > 0.0)) return;
     balance.is_significant |= result_.verdict == Verdict::kUnexplained;
     const double rows = static_cast<double>(signals_.rows) / (0.5 * kWindowLength) * kRowsPerWindow;
@@ -372,6 +374,7 @@ class Diagnosis {
   GapModel datasheet_;
   std::vector<SamplingFault> faults_;
   std::vector<AxisOutcome> outcomes_;
+  bool is_closed_ = false;  ///< the gap, by names that leave some of the evidence
   DiagnosisResult result_;
 };
 

@@ -29,11 +29,11 @@ constexpr bool has_blurred_shape(gap::Effect effect) {
 /// Which side of the play the slide is on, pieces of a recording do not tell.
 constexpr bool keeps_its_side(gap::Effect effect) { return effect == gap::Effect::kFeedBacklash; }
 
-/// The model with one effect more, fitted to a part of the recording. Parameters that had to bend to what was
-/// missing are a bad beginning: then from the datasheet's too.
-AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const AxisFit::Rival& without) {
+/// The model with one effect more, fitted to a part of the recording.
+AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const AxisFit::Rival& without,
+                       bool is_astray) {
   std::vector<AxisFit> trials{fit};
-  if (is_bent(fit)) trials.push_back(at_datasheet(fit));
+  if (is_astray) trials.push_back(at_datasheet(fit));
   in_parallel(trials.size(), [&](std::size_t i) {
     trials[i].model().effects.push_back(beginning_of(candidate));
     trials[i].settle_roughly(kDuelRounds, without);
@@ -44,10 +44,11 @@ AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const Axi
 
 }  // namespace
 
-EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::Rival without) {
+EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::Rival without,
+                       bool is_astray) {
   if (keeps_its_side(candidate.form.effect)) without.in_part = AxisFit::kNone;
   EffectTrial trial{refined(fit, candidate), fit};
-  trial.fit = roughly_fitted(fit, trial.candidate, without);
+  trial.fit = roughly_fitted(fit, trial.candidate, without, is_astray);
   trial.fit.finish(without);
   weigh_order_of_lags(trial.fit);
   if (has_blurred_shape(candidate.form.effect)) sharpen_newest(trial.fit, kNoWider);

@@ -11,9 +11,13 @@ namespace morepro::host {
 namespace {
 
 // Share of its evidence that a name keeps. Of 95 right ones, on tests/blind and of another simulator, one
-// kept less (0.04, beside three wrong ones), of 70 wrong ones 30, most of them of causes that have no name.
-// Less than usual, and no more than noise may be worth, kept none of the right ones.
-constexpr double kLeastKept = 0.15;
+// kept less than 0.15 (0.04, beside three wrong ones), of 70 wrong ones 30, most of them of causes that have
+// no name. Of 60 right ones of a third simulator two kept 0.09 and 0.12 beside strong random forces, and that
+// was 0.09 and 0.025 per row; wrong ones with so small a share had up to 0.011. Less than usual, and no more
+// than noise may be worth, kept none of the right ones.
+constexpr double kLeastKept = 0.07;
+constexpr double kSmallShare = 0.15;
+constexpr double kMuch = 0.02;  // per row
 constexpr double kChance = 1.0;
 
 /// Those for which `is_dropped` is not 0.
@@ -54,14 +58,15 @@ Weakest weakest_beside_lasting_noise(AxisDiagnosis& diagnosis) {
     AxisFit fit = i < count ? without(diagnosis, i) : diagnosis.fit;
     deviance[i] = fit.refit_beside_lasting_noise();
   });
-  const double of_noise = kMostOfNoise * static_cast<double>(diagnosis.fit.signals().rows);
+  const auto rows = static_cast<double>(diagnosis.fit.signals().rows);
   Weakest weakest{.index = count};
   for (std::size_t i = 0; i < count; ++i) {
     Finding& finding = diagnosis.found[i];
     if (diagnosis.needed(finding, kChance) < kChance) continue;  // another one states it along
     const double left = deviance[i] - deviance[count];
     finding.kept = left / std::max(finding.evidence, kChance);
-    const bool is_noise = finding.kept < kLeastKept || left < of_noise;
+    const bool is_little = finding.kept < kLeastKept || (finding.kept < kSmallShare && left < kMuch * rows);
+    const bool is_noise = is_little || left < kMostOfNoise * rows;
     if (is_noise && finding.kept < weakest.kept) weakest = {i, finding.kept};
   }
   return weakest;

@@ -46,16 +46,6 @@ void one_step_first(AxisFit& fit) {
   fit.settle(1);
 }
 
-/// Are the innovations what the observer expects of them, new and of their size?
-bool leaves_noise(const AxisFit& fit) {
-  constexpr double kMostlyNew = 0.5;
-  constexpr double kAsExpected = 1.5;
-  const Whitening& whitening = fit.whitening();
-  return std::all_of(whitening.begin(), whitening.end(), [](const SensorWhitening& sensor) {
-    return sensor.left > kMostlyNew && std::max(sensor.scale[0], sensor.scale[1]) < kAsExpected;
-  });
-}
-
 /// From afar, where the other ways have not come to an end that leaves noise only, and this one does.
 void begin_with_one_step(const AxisFit& start, AxisFit& best) {
   AxisFit fit = start;
@@ -65,6 +55,15 @@ void begin_with_one_step(const AxisFit& start, AxisFit& best) {
 }
 
 }  // namespace
+
+bool leaves_noise(const AxisFit& fit) {
+  constexpr double kMostlyNew = 0.5;
+  constexpr double kAsExpected = 1.5;
+  const Whitening& whitening = fit.whitening();
+  return std::all_of(whitening.begin(), whitening.end(), [](const SensorWhitening& sensor) {
+    return sensor.left > kMostlyNew && std::max(sensor.scale[0], sensor.scale[1]) < kAsExpected;
+  });
+}
 
 std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   AxisFit best = start;

@@ -57,5 +57,11 @@ INSTANTIATE_TEST_SUITE_P(, WrongDatasheet,
                                          Case{"reference", host::ProfileKind::kProduction, 0.3, 3.0},
                                          Case{"reference", host::ProfileKind::kRich, 0.3, 3.0}));
 
+// Half a percent is what a datasheet is printed with; a recording of this length tells a tenth of that.
+TEST(ExactDatasheet, IsOneThatIsRightToAFifthOfAPercent) {
+  EXPECT_EQ(diagnosed(record({.duration_s = 3.0}), datasheet(0.002)).verdict, host::Verdict::kNoGap);
+  EXPECT_EQ(diagnosed(record({.duration_s = 3.0}), datasheet(0.02)).verdict, host::Verdict::kParameterError);
+}
+
 }  // namespace
 }  // namespace morepro::diagnose_test
