@@ -18,8 +18,8 @@ struct UnnamedPower {
 void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
                   std::uint64_t seed, Shrinkage& shrinkage);
 
-/// Is so little left of the gap, in pieces that were not fitted to, that names explain it, whatever likelihood
-/// makes of their exact shapes? Causes without a name close up to 0.53 of theirs.
+/// Is so little left of the gap, in pieces that were not fitted to, that names explain it, whatever
+/// likelihood makes of their exact shapes? Causes without a name close up to 0.53 of theirs.
 inline bool is_nearly_closed(const Shrinkage& shrinkage) { return shrinkage.interval90[0] > 0.8; }
 
 }  // namespace morepro::host
