@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim_host/diagnose/balance_rows.hpp"
+#include "sim_host/diagnose/where.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -97,6 +99,18 @@ bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis) {
     has_changed = true;
   }
   return has_changed;
+}
+
+bool drop_what_no_balance_shows(AxisDiagnosis& diagnosis) {
+  constexpr double kSeen = 1.005;  // residual ratio
+  const double much = kMuch * static_cast<double>(diagnosis.fit.signals().rows);
+  const auto is_much = [much](const Finding& finding) { return finding.evidence > much; };
+  if (diagnosis.found.empty() || std::any_of(diagnosis.found.begin(), diagnosis.found.end(), is_much))
+    return false;
+  for (const BalanceResult& balance : balances_of(diagnosis, balance_rows(diagnosis)))
+    if (balance.is_evaluated && balance.residual_ratio > kSeen * balance.residual_ratio_after) return false;
+  drop(diagnosis, std::vector<char>(diagnosis.found.size(), 1));
+  return true;
 }
 
 }  // namespace morepro::host

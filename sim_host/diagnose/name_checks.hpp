@@ -21,4 +21,8 @@ bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold);
 /// not in the catalogue; a law of what was measured is worth nearly as much as before.
 bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis);
 
+/// Names of an axis that are worth little per row and that none of its balances shows: where random forces
+/// are none, what a solver does differently within a step is worth as much.
+bool drop_what_no_balance_shows(AxisDiagnosis& diagnosis);
+
 }  // namespace morepro::host
