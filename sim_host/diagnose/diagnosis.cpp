@@ -210,9 +210,8 @@ class Diagnosis {
 
   void reconsider() {
     is_closed_ = is_unexplained() && is_nearly_closed(result_.shrinkage);
-    if (!is_closed_) return;
-    result_.verdict = Verdict::kEffect;
-    rank();
+    if (is_closed_) result_.verdict = Verdict::kEffect;
+    if (is_closed_) rank();
   }
 
   void rank() {
