@@ -195,8 +195,8 @@ AxisFit::Trial AxisFit::tried() const {
   const SizeColumns sizes(model_.effects);
   Trial trial;
   if (weighs_all_ages_) {
-    NewParts parts =
-        look_beside_lasting_noise(axis_, *signals_, stretches_, model_, sizes.disturbances(), whitening_);
+    NewParts parts = look_beside_lasting_noise(axis_, *signals_, stretches_, model_, sizes.disturbances(),
+                                               whitening_, news_);
     trial.moments = std::move(parts.moments);
     trial.rows = parts.rows;
     trial.cost = parts.deviance;
@@ -323,10 +323,12 @@ double AxisFit::refit_with_this_noise() {
   return best.cost;
 }
 
-double AxisFit::refit_beside_lasting_noise() {
+double AxisFit::refit_beside_lasting_noise(const InputNews* news) {
   weighs_all_ages_ = true;
+  news_ = news;
   const double deviance = refit_with_this_noise();
   weighs_all_ages_ = false;
+  news_ = nullptr;
   return deviance;
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim_host/diagnose/gap_model.hpp"
 #include "sim_host/diagnose/gap_statistics.hpp"
+#include "sim_host/diagnose/input_news.hpp"
 #include "sim_host/diagnose/linear_fit.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 
@@ -62,8 +63,8 @@ class AxisFit {
   /// be made smaller.
   double refit_with_this_noise();
   /// The same beside noise that lasts: parameters, sizes and their covariance; nothing else changes. Returns
-  /// twice the negative logarithm of the likelihood there.
-  double refit_beside_lasting_noise();
+  /// twice the negative logarithm of the likelihood there. `news`: of the input, weighed along.
+  double refit_beside_lasting_noise(const InputNews* news = nullptr);
   /// The same likelihood of the model as it stands.
   [[nodiscard]] double deviance_beside_lasting_noise() const;
 
@@ -157,7 +158,8 @@ class AxisFit {
   Whitening whitening_;
   double least_noise_share_ = kUsualNoiseShare;
   double unlikeliness_ = kNone;
-  bool weighs_all_ages_ = false;  ///< of past innovations, beside noise that lasts
+  bool weighs_all_ages_ = false;     ///< of past innovations, beside noise that lasts
+  const InputNews* news_ = nullptr;  ///< that are weighed along
   int known_directions_ = 0;
   Eigen::MatrixXd covariance_;  ///< of parameters and sizes
   Eigen::VectorXd standard_error_;

@@ -123,6 +123,8 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
     outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
     keep_without_name(named - outcome.named_deviance(), outcome);
   }
+  if (drop_what_input_news_explain(diagnosis))
+    outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
   drop_what_no_balance_shows(diagnosis);
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();
   diagnosis.fit.attribute_load();

@@ -253,6 +253,25 @@ Doubt doubt_about(const Judged& judged) {
   return doubt;
 }
 
+/// Where a jitter shakes a sensor, is there more than its stated noise? An encoder whose speed is differences
+/// of coarse steps is quieter than that as long as it turns evenly.
+bool exceeds_stated_noise(const Judged& judged) {
+  constexpr double kShaken = 0.25;  // of the stated variance, by the jitter
+  constexpr double kMore = 1.2;
+  const double jitter_s2 = judged.jitter.size_s * judged.jitter.size_s;
+  return std::any_of(judged.evaluation.residuals.begin(), judged.evaluation.residuals.end(),
+                     [&](const Residuals& r) {
+                       double count = 0.0;
+                       double squares = 0.0;
+                       for (const Bin& bin : r.bin) {
+                         if (!(jitter_s2 * bin.growth > kShaken * bin.count)) continue;
+                         count += bin.count;
+                         squares += bin.squares;
+                       }
+                       return squares > kMore * count;
+                     });
+}
+
 /// By how much the size may change until the likelihood is that of one standard deviation, as a share.
 double relative_error(const Evaluation& evaluation, const Jitter& jitter) {
   constexpr double kProbe = 0.1;
@@ -277,6 +296,7 @@ std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits) {
   const Judged last = with_its_noise(fits, first, period_s);
   const Doubt doubt = doubt_about(last);
   if (doubt.is_refuted || doubt.shared > kMostShared || doubt.shared < kLeastShared) return std::nullopt;
+  if (!exceeds_stated_noise(last)) return std::nullopt;
   const double error = std::hypot(relative_error(first.evaluation, first.jitter), kSizeError);
   return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, last.jitter.size_s,
                        error * last.jitter.size_s, evidence};

@@ -32,4 +32,6 @@ constexpr Family family_of(gap::Effect effect) {
   }
 }
 
+constexpr bool is_lag(Family family) { return family == Family::kElectricLag || family == Family::kFeedLag; }
+
 }  // namespace morepro::host

@@ -21,8 +21,9 @@ struct Ages {
 constexpr std::array<Ages, 9> kAges{
     {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 6}, {7, 8}, {9, 12}, {13, 16}, {17, 24}}};
 constexpr Eigen::Index kOldest = kAges.back().last;
-/// Of the past of both sensors.
-constexpr auto kWeights = static_cast<Eigen::Index>(kAges.size() * kSensorsPerAxis);
+/// Of the past of both sensors, and of what was new in the input.
+constexpr auto kTaps = static_cast<Eigen::Index>(InputNews::kTaps);
+constexpr auto kWeights = static_cast<Eigen::Index>(kAges.size() * kSensorsPerAxis) + kTaps;
 constexpr Eigen::Index kBatch = 256;
 constexpr std::size_t kSettling = 50;  // rows in which an observer does
 constexpr double kHuber = 5.0;         // standard deviations that a row counts for at most
@@ -34,6 +35,7 @@ using Weights = Eigen::Matrix<double, kWeights, 1>;
 struct SensorRows {
   explicit SensorRows(Eigen::Index width) : raw(RowMatrix::Zero(kOldest + kBatch, width)) {
     past.fill(RowMatrix::Zero(kBatch, width));
+    news.setZero();
   }
 
   void sum_up_past() {
@@ -47,11 +49,13 @@ struct SensorRows {
   void move_on() {
     raw.topRows(kOldest) = raw.bottomRows(kOldest).eval();
     raw.bottomRows(kBatch).setZero();
+    news.setZero();
     counts = {};
   }
 
   RowMatrix raw;  ///< [columns | innovation]: the last ones of the piece before, then this one's
   std::array<RowMatrix, kAges.size()> past;  ///< of each group of ages
+  Eigen::Matrix<double, kBatch, kTaps> news;
   std::array<bool, kBatch> counts{};
 };
 
@@ -59,9 +63,10 @@ struct SensorRows {
 /// of the past.
 class PastAndPresent {
  public:
-  PastAndPresent(Eigen::Index width, const PerSensor<Weights>& weights)
+  PastAndPresent(Eigen::Index width, const InputNews* news, const PerSensor<Weights>& weights)
       : weights_(weights),
         width_(width),
+        news_(news),
         batch_(kBatch, kWeights + width),
         sensors_{SensorRows(width), SensorRows(width)} {
     sums_.fill(Eigen::MatrixXd::Zero(kWeights + width, kWeights + width));
@@ -83,6 +88,9 @@ class PastAndPresent {
     const auto columns = static_cast<Eigen::Index>(innovation.columns.size());
     row.head(columns) = weight * Eigen::Map<const Eigen::RowVectorXd>(innovation.columns.data(), columns);
     row(columns) = weight * innovation.value;
+    for (std::size_t tap = 0; news_ != nullptr && tap < InputNews::kTaps; ++tap)
+      sensor.news(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(tap)) =
+          weight * static_cast<double>(news_->change[tap][innovation.sensor][innovation.row]);
   }
 
   void flush() {
@@ -122,6 +130,8 @@ class PastAndPresent {
         batch_.col(next) = past.rightCols(1);
         now -= weights_[sensor](next++) * past;
       }
+    batch_.middleCols(next, kTaps) = own.news;
+    now.rightCols(1) -= own.news * weights_[sensor].tail(kTaps);
     for (Eigen::Index i = 0; i < kBatch; ++i) {
       const bool counts = own.counts[static_cast<std::size_t>(i)];
       const double size = std::fabs(now(i, width_ - 1));
@@ -133,6 +143,7 @@ class PastAndPresent {
 
   PerSensor<Weights> weights_;
   Eigen::Index width_;
+  const InputNews* news_;
   RowMatrix batch_;
   PerSensor<SensorRows> sensors_;
   PerSensor<Eigen::MatrixXd> sums_;
@@ -145,13 +156,14 @@ class PastAndPresent {
 
 NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
                                    std::span<const Stretch> stretches, const GapModel& model,
-                                   const Disturbances& disturbances, const Whitening& whitening) {
+                                   const Disturbances& disturbances, const Whitening& whitening,
+                                   const InputNews* news) {
   PerSensor<double> log_variance{};
   const auto deviation_of = [&](const Innovation& innovation) {
     return whitening[innovation.sensor].scale[innovation.in_contact ? 1 : 0] * std::sqrt(innovation.variance);
   };
   // Where only the weights are looked for, nothing but the innovations themselves is needed.
-  PastAndPresent innovations(1, {Weights::Zero(), Weights::Zero()});
+  PastAndPresent innovations(1, news, {Weights::Zero(), Weights::Zero()});
   for (const auto& [first, last] : stretches) {
     innovations.begin_stretch(first);
     run_observer(axis, signals, model, first, last, [&](const Innovation& innovation) {
@@ -163,7 +175,7 @@ NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
   innovations.flush();
   Eigen::Index width = static_cast<Eigen::Index>(parameter_count(axis)) + 1;
   for (const gap::EffectForm& form : disturbances.forms) width += form.parts;
-  PastAndPresent all(width, {innovations.better_weights(0), innovations.better_weights(1)});
+  PastAndPresent all(width, news, {innovations.better_weights(0), innovations.better_weights(1)});
   for (const auto& [first, last] : stretches) {
     all.begin_stretch(first);
     run_observer(axis, signals, model, disturbances, first, last,

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "sim_host/diagnose/gap_statistics.hpp"
+#include "sim_host/diagnose/input_news.hpp"
 
 namespace morepro::host {
 
@@ -14,9 +15,11 @@ struct NewParts {
 };
 
 /// The weights of the past are fitted along. Noise that lasts longer than an observer expects bends what is
-/// fitted otherwise, because in closed loop it is in the machine's motion, too.
+/// fitted otherwise, because in closed loop it is in the machine's motion, too. `news`: weighed along; none
+/// where an input knows no more of the state than the sensors.
 NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
                                    std::span<const Stretch> stretches, const GapModel& model,
-                                   const Disturbances& disturbances, const Whitening& whitening);
+                                   const Disturbances& disturbances, const Whitening& whitening,
+                                   const InputNews* news = nullptr);
 
 }  // namespace morepro::host

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim_host/diagnose/candidate_forms.hpp"
+#include "sim_host/diagnose/sampling_checks.hpp"
 #include "sim_host/diagnose/spectral_lines.hpp"
 #include "sim_host/diagnose/white_innovations.hpp"
 
@@ -80,12 +81,41 @@ std::vector<float> over_angle(const std::vector<float>& white, const RecordingSi
   return bins;
 }
 
+struct Sensor {
+  Channel channel;
+  double variance;  ///< stated
+};
+Sensor sensor_of(const AxisFit& fit, std::size_t sensor) {
+  const auto& noise = fit.datasheet().noise;
+  if (fit.axis() == Axis::kSpindle)
+    return sensor == 0 ? Sensor{Channel::kSpindleSpeed, noise.speed_variance}
+                       : Sensor{Channel::kArmatureCurrent, noise.current_variance};
+  return sensor == 0 ? Sensor{Channel::kFeedPosition, noise.feed_position_variance}
+                     : Sensor{Channel::kFeedSpeed, noise.feed_speed_variance};
+}
+
+/// Are coarse steps most of a sensor's noise, and is there no more than that? They follow the motion and have
+/// lines of their own.
+bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::size_t sensor) {
+  constexpr double kMostly =
+      0.4;  // of the stated variance; of a sensor whose noise is half a step it is 0.25
+  constexpr double kOfDifference = 2.0;  // a speed from two coarse positions has the variance of both
+  const auto& [channel, stated] = sensor_of(fit, sensor);
+  const double step = step_of(fit.signals().value[index_of(channel)]);
+  if (!(step * step / 12.0 > kMostly * stated)) return false;
+  const auto& normalised = statistics.normalised[sensor];
+  const auto count = static_cast<double>(normalised.size());
+  double squares = 0.0;
+  for (const float value : normalised) squares += static_cast<double>(value) * static_cast<double>(value);
+  return squares / count * std::exp(statistics.log_variance[sensor] / count) < kOfDifference * stated;
+}
+
 void look_for_lines(const AxisFit& fit, const GapStatistics& statistics, Leftover& leftover) {
   const Whitening whitening = whitening_of(statistics);
   double largest = 0.0;
   double torque = 0.0;
   for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) {
-    if (statistics.normalised[sensor].empty()) continue;
+    if (statistics.normalised[sensor].empty() || shows_its_steps(fit, statistics, sensor)) continue;
     const auto white = white_innovations(statistics, sensor, whitening[sensor]);
     double gain = line_gain(white);
     if (fit.signals().has(Channel::kSpindleSpeed))

@@ -21,8 +21,13 @@ bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold);
 /// not in the catalogue; a law of what was measured is worth nearly as much as before.
 bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis);
 
+/// Lags and delays that are worth hardly anything any more where what is new in the input may correct the
+/// state. A controller that sees the state itself, not the samples, knows of random forces before these do,
+/// and the drive seems late.
+bool drop_what_input_news_explain(AxisDiagnosis& diagnosis);
+
 /// Names of an axis that are worth little per row and that none of its balances shows: where random forces
-/// are none, what a solver does differently within a step is worth as much.
+/// are none, what a solver does differently within a step is worth as much. A lag of more than a step is not.
 bool drop_what_no_balance_shows(AxisDiagnosis& diagnosis);
 
 }  // namespace morepro::host

@@ -14,7 +14,21 @@ constexpr std::size_t kSampled = 20000;
 constexpr double kStepError = 1.0e-3;  // relative: samples are recorded with seven digits
 constexpr double kCertain = 1.0e4;     // deviance: what stands in the samples is not a matter of chance
 
-/// The step that all values are multiples of; 0 where there is none.
+/// Samples that are missing now and then. A sensor or a link that is away for a while drops none.
+std::size_t dropped(const std::vector<float>& column) {
+  std::size_t count = 0;
+  std::size_t missing = 0;
+  for (const float value : column) {
+    const bool is_here = value == value;
+    if (is_here && missing <= kLongestBridge) count += missing;
+    missing = is_here ? 0 : missing + 1;
+  }
+  if (missing <= kLongestBridge) count += missing;
+  return count;
+}
+
+}  // namespace
+
 double step_of(const std::vector<float>& column) {
   std::vector<double> values;
   for (const float value : column) {
@@ -40,21 +54,6 @@ double step_of(const std::vector<float>& column) {
   }
   return 20 * fitting >= 19 * (values.size() - 1) ? step : 0.0;
 }
-
-/// Samples that are missing now and then. A sensor or a link that is away for a while drops none.
-std::size_t dropped(const std::vector<float>& column) {
-  std::size_t count = 0;
-  std::size_t missing = 0;
-  for (const float value : column) {
-    const bool is_here = value == value;
-    if (is_here && missing <= kLongestBridge) count += missing;
-    missing = is_here ? 0 : missing + 1;
-  }
-  if (missing <= kLongestBridge) count += missing;
-  return count;
-}
-
-}  // namespace
 
 std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors) {
   std::vector<SamplingFault> faults;

@@ -18,6 +18,9 @@ struct SamplingFault {
   double evidence = 0.0;
 };
 
+/// The step that all values of a column are multiples of; 0 where there is none.
+double step_of(const std::vector<float>& column);
+
 /// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them.
 std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors);
 

@@ -34,5 +34,18 @@ TEST(Invisible, WhatAForceDoesWithinAnInterval) {
   EXPECT_TRUE(result.which.empty()) << said(result);
 }
 
+// Two steps late: no balance shows it, and no solver does it.
+TEST(Invisible, IsNoLagOfMoreThanAStep) {
+  const DiagnosisResult result =
+      diagnosed(record(SimulatedRun{.effects = {effect(Effect::kFeedDriveLag, 4.0e-4)},
+                                    .duration_s = 20.0,
+                                    .profile = host::ProfileKind::kProduction}),
+                datasheet(0.0));
+  EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_EQ(result.which.front().effect, Effect::kFeedDriveLag);
+  EXPECT_NEAR(result.which.front().magnitude, 4.0e-4, 4.0 * result.which.front().standard_error);
+}
+
 }  // namespace
 }  // namespace morepro::diagnose_test

@@ -7,7 +7,8 @@
 
 namespace morepro::diagnose_test {
 
-/// A feed axis behind a plain controller, integrated here: what its forces and its mass do is the test's.
+/// A feed axis behind a plain controller that sees its state itself, not the samples, integrated here: what
+/// its forces and its mass do is the test's.
 struct DrivenAxis {
   double rate_hz = 5000.0;
   std::size_t rows = 40000;
@@ -17,6 +18,7 @@ struct DrivenAxis {
   std::function<double(double)> mass_at = [](double) { return 1.0; };
   /// Against the motion, in N, at a speed in m/s.
   std::function<double(double)> brake_at = [](double) { return 0.0; };
+  double random_force_n = 0.0;  ///< standard deviation, another one in each row
 };
 
 /// Where the axis is to be: slowly along all of its way, and shaken, so that no place has a force of its own.
@@ -48,8 +50,10 @@ inline RecordingSignals record(const DrivenAxis& axis) {
       show(Channel::kFeedSpeed,
            speed_m_s + configuration.sensors[Channel::kFeedSpeed].noise * normal(random));
     show(Channel::kFeedPosition, place_m + axis.position_noise_m * normal(random));
+    const double random_n = axis.random_force_n * normal(random);
     for (int step = 0; step < kSteps; ++step) {
-      const double left_n = force_n - feed.viscous_friction_ns_m * speed_m_s - axis.brake_at(speed_m_s);
+      const double left_n =
+          force_n + random_n - feed.viscous_friction_ns_m * speed_m_s - axis.brake_at(speed_m_s);
       const double mass_kg = feed.mass_kg * axis.mass_at(place_m) + 0.5 * step_s * feed.viscous_friction_ns_m;
       const double change_m_s = step_s * left_n / mass_kg;
       place_m += step_s * (speed_m_s + 0.5 * change_m_s);
