@@ -97,9 +97,10 @@ Sensor sensor_of(const AxisFit& fit, std::size_t sensor) {
 /// Are coarse steps most of a sensor's noise, and is there no more than that? They follow the motion and have
 /// lines of their own.
 bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::size_t sensor) {
-  constexpr double kMostly =
-      0.4;  // of the stated variance; of a sensor whose noise is half a step it is 0.25
-  constexpr double kOfDifference = 2.0;  // a speed from two coarse positions has the variance of both
+  // Of the stated variance; a sensor whose noise is half a step has a quarter in its steps.
+  constexpr double kMostly = 0.4;
+  // A speed from two coarse positions has the variance of both.
+  constexpr double kOfDifference = 2.0;
   const auto& [channel, stated] = sensor_of(fit, sensor);
   const double step = step_of(fit.signals().value[index_of(channel)]);
   if (!(step * step / 12.0 > kMostly * stated)) return false;
