@@ -23,7 +23,7 @@ METHODS = ("morepro", "single_term", "stlsq")
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--suite", default="small", help="small, full, dev_rich or dev_production (default small)")
+    parser.add_argument("--suite", default="small", help="small, full, varied, dev_rich or dev_production (default small)")
     parser.add_argument("--seed", type=int, default=1, help="another seed, another set of machines and effects")
     parser.add_argument("--program", type=pathlib.Path, default=BUILD / "morepro")
     parser.add_argument("--generator", type=pathlib.Path, default=BUILD / "blind_generate")

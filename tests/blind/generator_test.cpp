@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "conditions.hpp"
 #include "sizing.hpp"
 #include "suite.hpp"
 
@@ -15,8 +16,8 @@ Scenario scenario(std::uint64_t seed, bool is_thesis, bool is_rich) {
   Scenario s;
   s.machine = random_machine(random, is_thesis);
   s.seed = seed;
-  s.excitation =
-      is_rich ? rich_excitation(s.machine, 4.0, random) : production_excitation(s.machine, 4.0, random);
+  s.excitation = is_rich ? rich_excitation(s.machine, 4.0, 1e-4, random)
+                         : production_excitation(s.machine, 4.0, 1e-4, random);
   return s;
 }
 
@@ -66,7 +67,7 @@ TEST(BlindProcessNoise, HasTheShareOfTheSensorsPowerThatWasAskedFor) {
   Scenario s = scenario(13, false, true);
   for (Sensor* sensor : {&s.machine.speed, &s.machine.feed, &s.machine.current}) sensor->lsb = 0.0;
   const Floor sensors = floor_of(columns_of(simulate(s, {})), s.machine);
-  s.process = process_noise_for(s.machine, 1.0, 1e-3, 1.0);
+  s.process = process_noise_for(s.machine, 1.0, 1e-3, 1.0, 1e-4);
   // 4 s hold few rows of the lowest band, which carries most of this noise: 25 %.
   for (double ratio : residual_ratios(columns_of(simulate(s, {})), s.machine, sensors))
     EXPECT_NEAR(ratio, 2.0, 0.5);
@@ -83,6 +84,25 @@ TEST(BlindSuite, HoldsEveryNameAtEveryRatio) {
 TEST(BlindSuite, IsAnotherOneForAnotherSeed) {
   EXPECT_EQ(suite("small", 1)[0].seed, suite("small", 1)[0].seed);
   EXPECT_NE(suite("small", 1)[0].seed, suite("small", 2)[0].seed);
+}
+
+TEST(BlindSuite, VariesHowItsTrialsAreRecordedAndNothingElse) {
+  const auto full = suite("full", 1), varied = suite("varied", 1);
+  ASSERT_EQ(full.size(), varied.size());
+  std::set<double> samples_s;
+  std::size_t seeing = 0;
+  for (std::size_t k = 0; k < full.size(); ++k) {
+    EXPECT_EQ(full[k].seed, varied[k].seed);
+    EXPECT_EQ(full[k].effects, varied[k].effects);
+    const Conditions plain = conditions_of(full[k]), drawn = conditions_of(varied[k]);
+    EXPECT_EQ(plain.sample_s, 1e-4);
+    EXPECT_FALSE(plain.controllers_see_state);
+    EXPECT_LE(drawn.duration_s / drawn.sample_s, 200001.0);
+    samples_s.insert(drawn.sample_s);
+    seeing += drawn.controllers_see_state ? 1 : 0;
+  }
+  EXPECT_EQ(samples_s.size(), 4U);
+  EXPECT_NEAR(static_cast<double>(seeing) / static_cast<double>(full.size()), 0.5, 0.1);
 }
 
 TEST(BlindTrial, RepeatsItselfBySeed) {

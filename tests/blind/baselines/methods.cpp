@@ -33,7 +33,7 @@ Whitened whitened(const Measured& measured, const Machine& sheet, Balance balanc
     std::erase_if(w.terms, [](const Term& term) { return term.effect == "feed_viscous_friction"; });
   for (const Term& term : w.terms) samples.regressors.push_back(term.integrated);
   const BalanceRows rows = windowed(samples, measured.columns.contact);
-  const GroupPower floor = sensor_floor(sheet, balance);
+  const GroupPower floor = sensor_floor(sheet, balance, measured.columns.sample_s);
   w.x = rows.x;
   w.y = rows.y;
   for (Eigen::Index r = 0; r < w.y.size(); ++r) {

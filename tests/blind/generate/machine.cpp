@@ -59,7 +59,7 @@ std::string spindle_and_feed(const Machine& m) {
   return text;
 }
 
-std::string tool_and_contact(const Machine& m) {
+std::string tool_and_contact(const Machine& m, double sample_s) {
   return "\n[tool]\n" + line("diameter_mm", m.diameter_mm) +
          "teeth = " + std::to_string(static_cast<int>(m.teeth)) + "\n" +
          line("chip_load_mm", m.chip_load_mm) + "\n[contact]\nform = \"" +
@@ -67,7 +67,7 @@ std::string tool_and_contact(const Machine& m) {
          line("edge_force_n", m.edge_force) + line("chip_force_n_mm", m.chip_force) +
          line("radius_m", m.radius) + line("speed_scale_rad_s", m.speed_scale) + "\n[thermal]\n" +
          line("reference_degc", m.reference_c) + line("melting_degc", m.melting_c) +
-         line("exponent", m.exponent) + "\n[sampling]\nrate_hz = 10000\n";
+         line("exponent", m.exponent) + "\n[sampling]\n" + line("rate_hz", 1.0 / sample_s);
 }
 
 }  // namespace
@@ -104,10 +104,11 @@ Machine datasheet_of(const Machine& machine, double largest_error, Random& rando
   return sheet;
 }
 
-std::string machine_toml(const Machine& m, const std::string& name, bool has_position, bool has_angle) {
-  std::string text = "[machine]\nname = \"" + name + "\"\n\n" + spindle_and_feed(m) + tool_and_contact(m) +
-                     sensor_table("spindle_speed_rad_s", m.speed) + sensor_table("feed_speed_m_s", m.feed) +
-                     sensor_table("armature_current_a", m.current) +
+std::string machine_toml(const Machine& m, const std::string& name, double sample_s, bool has_position,
+                         bool has_angle) {
+  std::string text = "[machine]\nname = \"" + name + "\"\n\n" + spindle_and_feed(m) +
+                     tool_and_contact(m, sample_s) + sensor_table("spindle_speed_rad_s", m.speed) +
+                     sensor_table("feed_speed_m_s", m.feed) + sensor_table("armature_current_a", m.current) +
                      sensor_table("tool_temperature_degc", m.tool) +
                      sensor_table("winding_temperature_degc", m.winding);
   if (has_position) text += sensor_table("feed_position_m", m.position);

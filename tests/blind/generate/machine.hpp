@@ -38,8 +38,8 @@ Machine random_machine(Random& random, bool is_thesis);
 Machine datasheet_of(const Machine& machine, double largest_error, Random& random);
 
 /// Machine file; `has_position` and `has_angle` say which optional columns the recording holds.
-std::string machine_toml(const Machine& datasheet, const std::string& name, bool has_position,
-                         bool has_angle);
+std::string machine_toml(const Machine& datasheet, const std::string& name, double sample_s,
+                         bool has_position, bool has_angle);
 
 /// Torque of the contact at full contact, N m, with the sign of the speed.
 double contact_torque(const Machine& machine, double speed_rad_s, double chip_load_mm, double heat_factor);

@@ -14,7 +14,8 @@ using nlohmann::json;
 using Options = std::map<std::string, std::string>;
 
 constexpr const char* kUsage =
-    "blind_generate (--suite small|full|dev_rich|dev_production | --class CLASS [--set rich|production]\n"
+    "blind_generate (--suite small|full|varied|dev_rich|dev_production | --class CLASS [--set "
+    "rich|production]\n"
     "                [--effect NAME] [--ratio R] [--count N]) [--seed S] [--only INDEX] --out DIR --labels "
     "FILE\n"
     "blind_generate --suite NAME [--seed S] --count-only      number of trials\n"

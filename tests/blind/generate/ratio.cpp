@@ -21,28 +21,30 @@ struct RowNoise {
   double level = 0.0, integral = 0.0;
 };
 
-double row_power(const std::array<double, kWindow>& phi, const RowNoise& noise) {
+double row_power(const std::array<double, kWindow>& phi, const RowNoise& noise, double sample_s) {
   double steps = phi[0] * phi[0] + phi[kWindow - 1] * phi[kWindow - 1], sums = 0.0;
   for (int k = 0; k + 1 < kWindow; ++k) {
     steps += std::pow(phi[k] - phi[k + 1], 2);
-    sums += std::pow(0.5 * kSample_s * (phi[k] + phi[k + 1]), 2);
+    sums += std::pow(0.5 * sample_s * (phi[k] + phi[k + 1]), 2);
   }
   return noise.level * noise.level * steps + noise.integral * noise.integral * sums;
 }
 
-double colored_power(const std::array<double, kWindow>& phi, int band, double correlation_s) {
+double colored_power(const std::array<double, kWindow>& phi, int band, double correlation_s,
+                     double sample_s) {
   double sum = 0.0;
   for (double value : phi) sum += value * value;
-  const double rate = 6.283185307 * 3.0 * band / (kWindow * kSample_s);
-  return kSample_s * sum * 2.0 * correlation_s / (1.0 + std::pow(rate * correlation_s, 2));
+  const double rate = 6.283185307 * 3.0 * band / (kWindow * sample_s);
+  return sample_s * sum * 2.0 * correlation_s / (1.0 + std::pow(rate * correlation_s, 2));
 }
 
 /// Standard deviation of a colored acceleration whose mean share of the sensors' row power is `share`.
-double matching_sigma(const RowNoise& noise, double share, double correlation_s) {
+double matching_sigma(const RowNoise& noise, double share, double correlation_s, double sample_s) {
   const TestFunctions& f = test_functions();
   double mean = 0.0;
   for (std::size_t j = 0; j < f.phi.size(); ++j)
-    mean += colored_power(f.phi[j], f.band[j], correlation_s) / row_power(f.phi[j], noise) / 9.0;
+    mean += colored_power(f.phi[j], f.band[j], correlation_s, sample_s) /
+            row_power(f.phi[j], noise, sample_s) / 9.0;
   return std::sqrt(share / mean);
 }
 
@@ -73,6 +75,7 @@ GroupPower refitted_power(const BalanceRows& rows, const GroupPower& floor) {
 
 Columns columns_of(const Run& run) {
   Columns c;
+  c.sample_s = run.sample_s;
   for (const Row& row : run.rows) {
     c.voltage.push_back(row.in.voltage_v);
     c.force.push_back(row.in.force_n);
@@ -114,25 +117,26 @@ std::array<double, kBalances> residual_ratios(const Columns& columns, const Mach
   return ratios;
 }
 
-GroupPower sensor_floor(const Machine& m, Balance balance) {
+GroupPower sensor_floor(const Machine& m, Balance balance, double sample_s) {
   const RowNoise noise = row_noise(m, balance);
   const TestFunctions& f = test_functions();
   GroupPower power{}, count{};
   for (std::size_t j = 0; j < f.phi.size(); ++j)
     for (const int state : {0, 5}) {
       const auto group = static_cast<std::size_t>(f.band[j] + state);
-      power[group] += row_power(f.phi[j], noise);
+      power[group] += row_power(f.phi[j], noise, sample_s);
       count[group] += 1.0;
     }
   for (std::size_t g = 0; g < power.size(); ++g) power[g] /= count[g];
   return power;
 }
 
-ProcessNoise process_noise_for(const Machine& m, double share, double correlation_s, double contact_gain) {
+ProcessNoise process_noise_for(const Machine& m, double share, double correlation_s, double contact_gain,
+                               double sample_s) {
   ProcessNoise n;
-  n.torque_nm = m.inertia * matching_sigma(row_noise(m, kSpindleTorque), share, correlation_s);
-  n.force_n = m.mass * matching_sigma(row_noise(m, kFeedForce), share, correlation_s);
-  n.voltage_v = m.inductance * matching_sigma(row_noise(m, kArmatureVoltage), share, correlation_s);
+  n.torque_nm = m.inertia * matching_sigma(row_noise(m, kSpindleTorque), share, correlation_s, sample_s);
+  n.force_n = m.mass * matching_sigma(row_noise(m, kFeedForce), share, correlation_s, sample_s);
+  n.voltage_v = m.inductance * matching_sigma(row_noise(m, kArmatureVoltage), share, correlation_s, sample_s);
   n.correlation_s = correlation_s;
   n.contact_gain = contact_gain;
   return n;

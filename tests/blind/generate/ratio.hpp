@@ -24,10 +24,10 @@ std::array<double, kBalances> residual_ratios(const Columns& columns, const Mach
                                               const Floor& floor);
 
 /// Row power of the sensors' noise alone, from the datasheet.
-GroupPower sensor_floor(const Machine& machine, Balance balance);
+GroupPower sensor_floor(const Machine& machine, Balance balance, double sample_s);
 
 /// Standard deviations of the process noise that give `share` of the sensors' row power in each balance.
 ProcessNoise process_noise_for(const Machine& machine, double share, double correlation_s,
-                               double contact_gain);
+                               double contact_gain, double sample_s);
 
 }  // namespace blind

@@ -6,29 +6,28 @@
 namespace blind {
 namespace {
 
-constexpr int kSubsteps = static_cast<int>(kSample_s / kStep_s + 0.5);
-
 /// Speed controller with an integral part, feed-forward and a limit that stops the integral.
 class Controller {
  public:
-  Controller(double gain, double integral_per_s, double forward, double limit, double smoothing_s)
+  Controller(double gain, double integral_per_s, double forward, double limit, double smoothing_s,
+             double sample_s)
       : gain_(gain),
-        integral_per_s_(integral_per_s),
+        integral_per_sample_(integral_per_s * sample_s),
         forward_(forward),
         limit_(limit),
-        smoothing_(kSample_s / smoothing_s) {}
+        smoothing_(sample_s / smoothing_s) {}
 
   double output(double wanted, double measured, double dither) {
     reference_ += smoothing_ * (wanted - reference_);
     const double error = reference_ - measured;
     const double free = forward_ * reference_ + gain_ * (error + integral_) + dither;
     const double limited = std::clamp(free, -limit_, limit_);
-    if (free == limited) integral_ += integral_per_s_ * kSample_s * error;
+    if (free == limited) integral_ += integral_per_sample_ * error;
     return limited;
   }
 
  private:
-  double gain_, integral_per_s_, forward_, limit_, smoothing_;
+  double gain_, integral_per_sample_, forward_, limit_, smoothing_;
   double reference_ = 0.0, integral_ = 0.0;
 };
 
@@ -67,6 +66,7 @@ class Loop {
 
   Run run() {
     Run run;
+    run.sample_s = s_.excitation.sample_s;
     const std::size_t count = s_.excitation.contact.size();
     run.rows.reserve(count);
     for (std::size_t k = 0; k < count && run.is_finite; ++k) {
@@ -81,12 +81,16 @@ class Loop {
   Controller spindle_controller() {
     const Machine& m = s_.machine;
     const double gain = m.back_emf_constant * gains_.log_uniform(0.4, 2.0);
-    return {gain, gains_.uniform(10.0, 50.0), m.back_emf_constant, m.voltage_limit,
-            gains_.uniform(0.01, 0.04)};
+    return {gain,
+            gains_.uniform(10.0, 50.0),
+            m.back_emf_constant,
+            m.voltage_limit,
+            gains_.uniform(0.01, 0.04),
+            s_.excitation.sample_s};
   }
   Controller feed_controller() {
     return {gains_.uniform(100.0, 400.0), gains_.uniform(10.0, 40.0), 0.0, 800.0,
-            gains_.uniform(0.005, 0.02)};
+            gains_.uniform(0.005, 0.02),  s_.excitation.sample_s};
   }
 
   Row row(std::size_t k) {
@@ -113,7 +117,7 @@ class Loop {
     for (const ActiveEffect& active : effects_)
       if (p.t >= active.onset_s) active.effect->read(p, r);
     Row row;
-    row.time_s = static_cast<double>(k) * kSample_s;
+    row.time_s = static_cast<double>(k) * s_.excitation.sample_s;
     row.seen.w = rounded(measured(r.w, m.speed, noise_), r.w_step);
     row.seen.v = measured(r.v, m.feed, noise_);
     row.seen.i = rounded(measured(r.i, m.current, noise_), r.i_step);
@@ -126,8 +130,11 @@ class Loop {
 
   void command(std::size_t k, Row& row) {
     const Excitation& e = s_.excitation;
-    row.in.voltage_v = spindle_.output(e.spindle_reference[k], row.seen.w, e.voltage_dither[k]);
-    row.in.force_n = feed_.output(e.feed_reference[k], row.seen.v, e.force_dither[k]);
+    const Point& now = plant_.now();
+    row.in.voltage_v = spindle_.output(e.spindle_reference[k], s_.controllers_see_state ? now.w : row.seen.w,
+                                       e.voltage_dither[k]);
+    row.in.force_n =
+        feed_.output(e.feed_reference[k], s_.controllers_see_state ? now.v : row.seen.v, e.force_dither[k]);
     row.in.contact = e.contact[k];
     row.in.engagement = e.engagement[k];
     row.in.chip_load_mm = e.chip_load_mm[k];
@@ -136,7 +143,7 @@ class Loop {
   void advance(const Inputs& inputs) {
     const ProcessNoise& n = s_.process;
     const double gain = inputs.contact > 0.0 ? n.contact_gain : 1.0;
-    for (int step = 0; step < kSubsteps; ++step) {
+    for (int step = 0; step < substeps_; ++step) {
       const Disturbance d{gain * n.torque_nm * torque_.next(disturbance_),
                           gain * n.force_n * force_.next(disturbance_),
                           n.voltage_v * voltage_.next(disturbance_)};
@@ -145,6 +152,7 @@ class Loop {
   }
 
   const Scenario& s_;
+  const int substeps_ = static_cast<int>(std::round(s_.excitation.sample_s / kStep_s));
   const std::vector<ActiveEffect>& effects_;
   Plant plant_;
   Random noise_, disturbance_, gains_;

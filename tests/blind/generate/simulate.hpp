@@ -24,6 +24,7 @@ struct Row {
 
 struct Run {
   std::vector<Row> rows;
+  double sample_s = 1e-4;
   bool is_finite = true;
 };
 
@@ -32,12 +33,13 @@ struct Scenario {
   Machine machine;
   Excitation excitation;
   ProcessNoise process;
+  bool controllers_see_state = false;  ///< instead of what the sensors deliver
   std::uint64_t seed = 1;
+
+  double duration_s() const { return static_cast<double>(excitation.contact.size()) * excitation.sample_s; }
 };
 
-inline constexpr double kSample_s = 1e-4;
-
-/// The machine in closed loop at 10 kHz: the controllers see what the sensors deliver.
+/// The machine in closed loop; the controllers act once per sample.
 Run simulate(const Scenario& scenario, const std::vector<ActiveEffect>& effects);
 
 }  // namespace blind

@@ -13,7 +13,8 @@ class Plan {
 
   void add(const std::string& set, const std::string& kind, std::vector<std::string> effects,
            std::vector<double> ratios) {
-    trials_.push_back({set, kind, std::move(effects), std::move(ratios), random_.bits() >> 12, duration_s_});
+    trials_.push_back(
+        {set, kind, std::move(effects), std::move(ratios), random_.bits() >> 12, duration_s_, is_varied_});
   }
   void add_plain(const std::string& set, const std::string& kind, int count) {
     for (int k = 0; k < count; ++k) add(set, kind, {}, {});
@@ -53,6 +54,7 @@ class Plan {
 
   Random random_;
   double duration_s_ = 10.0;
+  bool is_varied_ = false;
   std::vector<TrialSpec> trials_;
 
  private:
@@ -103,14 +105,16 @@ std::vector<TrialSpec> suite(const std::string& name, std::uint64_t seed) {
   Plan plan(seed);
   if (name == "small")
     plan_small(plan);
-  else if (name == "full")
+  else if (name == "full" || name == "varied") {
+    plan.is_varied_ = name == "varied";
     plan_full(plan);
-  else if (name == "dev_rich")
+  } else if (name == "dev_rich")
     plan_development(plan, "rich", 8, 6, static_cast<int>(catalogue_effects().size()));
   else if (name == "dev_production")
     plan_development(plan, "production", 5, 4, static_cast<int>(catalogue_effects().size()));
   else
-    throw std::runtime_error("no suite is called " + name + ": small, full, dev_rich or dev_production");
+    throw std::runtime_error("no suite is called " + name +
+                             ": small, full, varied, dev_rich or dev_production");
   return plan.trials_;
 }
 

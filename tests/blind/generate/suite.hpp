@@ -6,7 +6,7 @@
 
 namespace blind {
 
-/// The trials of a named suite (small, full, dev_rich, dev_production), always the same for one seed.
+/// The trials of a named suite (small, full, varied, dev_rich, dev_production), always the same for one seed.
 /// Errors: std::runtime_error for an unknown name.
 std::vector<TrialSpec> suite(const std::string& name, std::uint64_t seed);
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "conditions.hpp"
 #include "recording.hpp"
 #include "sizing.hpp"
 
@@ -28,18 +29,26 @@ bool needs_place(const TrialSpec& spec) {
 }
 
 Scenario scenario_of(const TrialSpec& spec, Random& random) {
+  const Conditions conditions = conditions_of(spec);
   Scenario s;
   const bool hides_friction =
       std::count(spec.effects.begin(), spec.effects.end(), "feed_viscous_friction") > 0;
   s.machine = random_machine(random, random.chance(0.1));
+  for (Sensor* sensor : {&s.machine.speed, &s.machine.feed, &s.machine.position, &s.machine.current}) {
+    sensor->noise *= conditions.loudness;
+    sensor->lsb *= conditions.loudness;
+  }
   if (hides_friction) s.machine.feed_viscous = 0.0;
   s.seed = random.bits();
   static constexpr double kShares[] = {0.0, 0.5, 1.0, 2.0};
-  const double share = kShares[random.pick(4)], correlation_s = random.log_uniform(2e-4, 3e-3);
-  s.process =
-      process_noise_for(s.machine, share, correlation_s, random.chance(0.3) ? random.uniform(1.3, 2.5) : 1.0);
-  s.excitation = spec.set == "rich" ? rich_excitation(s.machine, spec.duration_s, random)
-                                    : production_excitation(s.machine, spec.duration_s, random);
+  const double share = kShares[random.pick(4)], drawn_s = random.log_uniform(2e-4, 3e-3);
+  const double correlation_s = conditions.is_white ? kStep_s : drawn_s;
+  s.controllers_see_state = conditions.controllers_see_state;
+  s.process = process_noise_for(s.machine, share, correlation_s,
+                                random.chance(0.3) ? random.uniform(1.3, 2.5) : 1.0, conditions.sample_s);
+  s.excitation = spec.set == "rich"
+                     ? rich_excitation(s.machine, conditions.duration_s, conditions.sample_s, random)
+                     : production_excitation(s.machine, conditions.duration_s, conditions.sample_s, random);
   return s;
 }
 
@@ -81,7 +90,9 @@ class Trial {
               {"class", spec.kind},
               {"seed", spec.seed},
               {"machine", scenario_.machine.is_thesis ? "thesis" : "reference"},
-              {"duration_s", spec.duration_s},
+              {"duration_s", scenario_.duration_s()},
+              {"sample_s", scenario_.excitation.sample_s},
+              {"controllers_see_state", scenario_.controllers_see_state},
               {"effects", json::array()},
               {"unreachable", false}};
   }
@@ -105,7 +116,7 @@ class Trial {
       Candidate candidate{&kind_of(spec_.effects[e]), random_.bits(), 0.0};
       const bool starts_late =
           random_.chance(0.15) && candidate.kind->may_start_late && spec_.kind == "single";
-      if (starts_late) candidate.onset_s = random_.uniform(0.3, 0.6) * spec_.duration_s;
+      if (starts_late) candidate.onset_s = random_.uniform(0.3, 0.6) * scenario_.duration_s();
       SizedRun result = sized(scenario_, candidate, floor_, spec_.ratios[e]);
       label_["effects"].push_back(effect_json(candidate, result, spec_.ratios[e]));
       if (!result.is_reachable) label_["unreachable"] = true;
@@ -131,7 +142,8 @@ class Trial {
     label_["datasheet_off"] = is_off;
     std::filesystem::create_directories(directory);
     write_recording(directory + "/recording.csv", run, has_position, has_angle);
-    write_text(directory + "/machine.toml", machine_toml(sheet, "trial", has_position, has_angle));
+    write_text(directory + "/machine.toml",
+               machine_toml(sheet, "trial", scenario_.excitation.sample_s, has_position, has_angle));
     const bool leaves_out = spec_.kind == "leave_one_out";
     write_text(directory + "/options.txt", leaves_out ? "--exclude " + spec_.effects.front() + "\n" : "");
   }
