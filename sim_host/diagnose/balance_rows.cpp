@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim_host/diagnose/balance_increments.hpp"
+#include "sim_host/diagnose/line_columns.hpp"
 #include "sim_host/diagnose/linear_fit.hpp"
 #include "sim_host/diagnose/noise_floor.hpp"
 
@@ -167,9 +168,17 @@ void hold_out(const std::vector<Window>& windows, const BalanceIncrements& balan
   }
 }
 
-BalanceRows rows_of(const BalanceIncrements& balance, const RecordingSignals& signals) {
+/// Where the model without them stands.
+std::vector<Window> windows_without_lines(BalanceIncrements balance, const AxisFit& fit,
+                                          const Coefficients& coefficient, const Leftover& leftover) {
+  for (const LeftLine& line : leftover.lines)
+    if (balance_of(fit.axis(), line) == balance.balance) add_line(line, fit.signals(), coefficient, balance);
+  return windows_of(balance, fit.signals());
+}
+
+BalanceRows rows_of(const BalanceIncrements& balance, const AxisFit& fit, const Leftover* leftover) {
   BalanceRows rows{.balance = balance.balance};
-  const std::vector<Window> windows = windows_of(balance, signals);
+  std::vector<Window> windows = windows_of(balance, fit.signals());
   if (windows.size() < 4) return rows;
   const auto all = [](const Window&) { return true; };
   Scales scale;
@@ -181,7 +190,12 @@ BalanceRows rows_of(const BalanceIncrements& balance, const RecordingSignals& si
     after = fitted(windows, balance, scale, true, all);
     scale = scales_of(windows, after);
   }
-  if (mean_power(powers_of(windows, before, scale)) > kLeastGap) {
+  if (leftover != nullptr) {
+    windows = windows_without_lines(balance, fit, after, *leftover);
+    after = fitted(windows, balance, scale, true, all);
+    scale = scales_of(windows, after);
+  }
+  if (leftover != nullptr || mean_power(powers_of(windows, before, scale)) > kLeastGap) {
     scale = floor_of(windows, after, scale);
     before = fitted(windows, balance, scale, false, all);
     after = fitted(windows, balance, scale, true, all);
@@ -194,10 +208,10 @@ BalanceRows rows_of(const BalanceIncrements& balance, const RecordingSignals& si
 
 }  // namespace
 
-std::vector<BalanceRows> balance_rows(const AxisDiagnosis& diagnosis) {
+std::vector<BalanceRows> balance_rows(const AxisDiagnosis& diagnosis, const Leftover* leftover) {
   std::vector<BalanceRows> all;
   for (const BalanceIncrements& balance : balance_increments(diagnosis))
-    all.push_back(rows_of(balance, diagnosis.fit.signals()));
+    all.push_back(rows_of(balance, diagnosis.fit, leftover));
   return all;
 }
 

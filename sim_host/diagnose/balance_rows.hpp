@@ -4,6 +4,7 @@
 
 #include "lib/gap/effect.hpp"
 #include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/leftover.hpp"
 #include "sim_host/diagnose/window_rows.hpp"
 
 namespace morepro::host {
@@ -23,7 +24,8 @@ struct BalanceRows {
   std::vector<double> held_out_after{};
 };
 
-/// Rows of the balances of an axis that have their signals.
-std::vector<BalanceRows> balance_rows(const AxisDiagnosis& diagnosis);
+/// Rows of the balances of an axis that have their signals. `leftover`: what the
+/// model leaves without a name; its lines count as effects.
+std::vector<BalanceRows> balance_rows(const AxisDiagnosis& diagnosis, const Leftover* leftover = nullptr);
 
 }  // namespace morepro::host

@@ -24,6 +24,7 @@
 #include "sim_host/diagnose/share_closed.hpp"
 #include "sim_host/diagnose/slow_motion.hpp"
 #include "sim_host/diagnose/unevaluated.hpp"
+#include "sim_host/diagnose/unnamed_where.hpp"
 #include "sim_host/diagnose/where.hpp"
 #include "sim_host/diagnose/winding_heat.hpp"
 #include "sim_host/machine/setting_key.hpp"
@@ -255,6 +256,7 @@ class Diagnosis {
     in_parallel(outcomes_.size(), [&](std::size_t i) {
       rows[i] = balance_rows(outcomes_[i].diagnosis);
       balances[i] = balances_of(outcomes_[i].diagnosis, rows[i]);
+      show_unnamed(outcomes_[i], balances[i]);
       compare_models(outcomes_[i].diagnosis, options_.seed, result_.shrinkage);
     });
     std::vector<BalanceRows> gaps;
@@ -268,6 +270,8 @@ class Diagnosis {
         mark(balance, outcome);
         result_.where.push_back(std::move(balance));
       }
+      for (std::string& signal : followed_by_unnamed(outcome))
+        result_.unexplained_follows.push_back(std::move(signal));
       gaps.insert(gaps.end(), rows[i].begin(), rows[i].end());
       for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit))
         result_.parameters.push_back(std::move(parameter));
@@ -292,14 +296,7 @@ class Diagnosis {
         balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
       is_strongest &= !is_here;
     }
-    const double left = outcome.unnamed_deviance_in(balance.balance);
-    if (!(left >= 0.5 * outcome.leftover.gain && left > 0.0)) return;
-    balance.is_significant |= result_.verdict == Verdict::kUnexplained;
-    const double rows = static_cast<double>(signals_.rows) / (0.5 * kWindowLength) * kRowsPerWindow;
-    // Some of it may be in the floor already.
-    const double more = std::max(1.0, (1.0 + left / rows) / balance.residual_ratio_after);
-    balance.residual_ratio *= more;
-    balance.residual_ratio_after *= more;
+    balance.is_significant |= result_.verdict == Verdict::kUnexplained && shows_unnamed(outcome, balance);
   }
 
   void add_if_absent(gap::Balance balance) {

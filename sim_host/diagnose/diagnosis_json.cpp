@@ -98,22 +98,23 @@ Json board_of(const DiagnosisResult& r) {
 }  // namespace
 
 std::string diagnosis_json(const DiagnosisResult& r) {
-  const Json json{
-      {"schema", "morepro.diagnosis/1"},
-      {"recording", json_recording(r)},
-      {"verdict", name_of(r.verdict)},
-      {"explanation", r.explanation},
-      {"where", where_of(r)},
-      {"which", which_of(r)},
-      {"unexplained",
-       {{"evidence", json_number(r.unexplained_evidence)}, {"share", json_number(r.unexplained_share)}}},
-      {"shrinkage", shrinkage_of(r.shrinkage)},
-      {"parameters", json_parameters(r.parameters)},
-      {"board", board_of(r)},
-      {"threshold",
-       {{"evidence", json_number(r.threshold_evidence)},
-        {"temperature", json_number(r.temperature)},
-        {"bootstrap_runs", r.bootstrap_runs}}}};
+  const Json json{{"schema", "morepro.diagnosis/1"},
+                  {"recording", json_recording(r)},
+                  {"verdict", name_of(r.verdict)},
+                  {"explanation", r.explanation},
+                  {"where", where_of(r)},
+                  {"which", which_of(r)},
+                  {"unexplained",
+                   {{"evidence", json_number(r.unexplained_evidence)},
+                    {"share", json_number(r.unexplained_share)},
+                    {"follows", r.unexplained_follows}}},
+                  {"shrinkage", shrinkage_of(r.shrinkage)},
+                  {"parameters", json_parameters(r.parameters)},
+                  {"board", board_of(r)},
+                  {"threshold",
+                   {{"evidence", json_number(r.threshold_evidence)},
+                    {"temperature", json_number(r.temperature)},
+                    {"bootstrap_runs", r.bootstrap_runs}}}};
   return json_text(json);
 }
 

@@ -121,8 +121,9 @@ struct DiagnosisResult {
   std::vector<EffectResult> which;
   Shrinkage shrinkage;
   std::vector<ParameterResult> parameters;
-  double unexplained_evidence = 0.0;  ///< of structure without a name
-  double unexplained_share = 0.0;     ///< of what the datasheet's model leaves beyond noise
+  double unexplained_evidence = 0.0;             ///< of structure without a name
+  double unexplained_share = 0.0;                ///< of what the datasheet's model leaves beyond noise
+  std::vector<std::string> unexplained_follows;  ///< functions that stand in for it, in words, best first
   double threshold_evidence = 0.0;
   double temperature = 1.0;
   int bootstrap_runs = 0;

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,60 @@
 
 namespace morepro::host {
 namespace {
+
+std::string name_of_cell(const GapCell& cell, gap::Balance balance) {
+  constexpr double kLine = 0.05;  // of a frequency or an order: nothing between that could be read
+  if (cell.by == "contact") return cell.from > 0.0 ? "in contact" : "without contact";
+  if (cell.by == "direction") return cell.from > 0.0 ? "forwards" : "backwards";
+  const bool is_line = cell.to - cell.from < kLine * cell.to;
+  if (cell.by == "order") return fmt::format("at order {:.4g}", 0.5 * (cell.from + cell.to));
+  if (cell.by == "frequency" && is_line) return fmt::format("at {:.4g} Hz", 0.5 * (cell.from + cell.to));
+  const std::string_view unit = cell.by == "temperature"              ? "degC"
+                                : cell.by == "frequency"              ? "Hz"
+                                : cell.by == "time"                   ? "s"
+                                : balance == gap::Balance::kFeedForce ? "m/s"
+                                                                      : "rad/s";
+  return fmt::format("at {:.4g} .. {:.4g} {}", cell.from, cell.to, unit);
+}
+
+/// What leaves more at all orders alike does not go with the turn.
+double usual_order(const BalanceResult& balance) {
+  std::vector<double> ratios;
+  for (const GapCell& cell : balance.cells)
+    if (cell.by == "order" && cell.from == cell.to) ratios.push_back(cell.residual_ratio);
+  if (ratios.empty()) return 1.0;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
+/// The kinds of cells that stand out of their balance, the best one of each.
+std::string cells_text(const BalanceResult& balance) {
+  constexpr std::size_t kMostKinds = 4;
+  constexpr double kStandsOut = 1.2;  // times the excess of the whole balance
+  constexpr double kPeak = 4.0;       // times the usual order
+  const double order = usual_order(balance);
+  std::vector<const GapCell*> best;
+  for (const GapCell& cell : balance.cells) {
+    const bool stands_out = cell.residual_ratio - 1.0 > kStandsOut * (balance.residual_ratio - 1.0);
+    if (!stands_out || !(cell.p_value < 0.01)) continue;
+    if (cell.by == "order" && cell.residual_ratio < kPeak * order) continue;
+    const auto same =
+        std::find_if(best.begin(), best.end(), [&](const GapCell* c) { return c->by == cell.by; });
+    if (same == best.end())
+      best.push_back(&cell);
+    else if (cell.residual_ratio > (*same)->residual_ratio)
+      *same = &cell;
+  }
+  std::sort(best.begin(), best.end(),
+            [](const GapCell* a, const GapCell* b) { return a->residual_ratio > b->residual_ratio; });
+  best.resize(std::min(best.size(), kMostKinds));
+  std::string text;
+  for (const GapCell* cell : best)
+    text +=
+        fmt::format("  {:16}  {:.1f} {}\n", "", cell->residual_ratio, name_of_cell(*cell, balance.balance));
+  return text;
+}
 
 std::string where_text(const DiagnosisResult& r) {
   std::string text = "where\n";
@@ -19,9 +74,14 @@ std::string where_text(const DiagnosisResult& r) {
     text +=
         fmt::format("  {:16}  residual ratio {:.3f}, with the effects {:.3f}{}\n", gap::name_of(b.balance),
                     b.residual_ratio, b.residual_ratio_after, b.is_significant ? "  <- gap" : "");
+    if (b.is_significant) text += cells_text(b);
     if (b.onset_s) text += fmt::format("  {:16}  sets in at {:.2f} s\n", "", *b.onset_s);
   }
-  return text;
+  if (r.verdict != Verdict::kUnexplained || r.unexplained_follows.empty()) return text;
+  constexpr std::ptrdiff_t kMostFollowed = 4;
+  const auto& follows = r.unexplained_follows;
+  const auto end = follows.begin() + std::min(kMostFollowed, std::ssize(follows));
+  return text + fmt::format("  what has no name follows {}\n", fmt::join(follows.begin(), end, "; "));
 }
 
 std::string size_text(const EffectResult& e) {
@@ -58,9 +118,11 @@ std::string models_text(const char* title, const Comparisons& m) {
   std::string text;
   for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
     if (!m[b]) continue;
-    text += fmt::format("  {:9} {:16}  datasheet {}  refit {}  with effects {}  noise {:.3f} %\n", title,
+    const double noise = m[b]->noise_floor;
+    text += fmt::format("  {:9} {:16}  datasheet {}  refit {}  with effects {}  noise {}\n", title,
                         gap::kBalanceNames[b], percent(m[b]->datasheet), percent(m[b]->refit),
-                        percent(m[b]->with_effect), 100.0 * m[b]->noise_floor);
+                        percent(m[b]->with_effect),
+                        std::isfinite(noise) ? fmt::format("{:.3f} %", 100.0 * noise) : "unknown");
   }
   return text;
 }

@@ -111,23 +111,42 @@ bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::s
   return squares / count * std::exp(statistics.log_variance[sensor] / count) < kOfDifference * stated;
 }
 
+/// `unit`: frequency, in Hz or orders, of a line that turns once per sample.
+void add_lines(const SpectralLines& found, std::size_t sensor, bool is_order, double unit,
+               std::vector<LeftLine>& lines) {
+  for (const SpectralLine& line : found.lines)
+    lines.push_back({.sensor = sensor,
+                     .is_order = is_order,
+                     .frequency = unit * line.cycles_per_sample,
+                     .resolution = unit * found.resolution,
+                     .power = line.power,
+                     .p_value = std::min(found.noise_bins * std::exp(-line.power), 1.0)});
+}
+
 void look_for_lines(const AxisFit& fit, const GapStatistics& statistics, Leftover& leftover) {
   const Whitening whitening = whitening_of(statistics);
   double largest = 0.0;
   double torque = 0.0;
+  std::vector<LeftLine> lines;
   for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) {
     if (statistics.normalised[sensor].empty() || shows_its_steps(fit, statistics, sensor)) continue;
     const auto white = white_innovations(statistics, sensor, whitening[sensor]);
-    double gain = line_gain(white);
-    if (fit.signals().has(Channel::kSpindleSpeed))
-      gain = std::max(gain, line_gain(over_angle(white, fit.signals())));
+    const SpectralLines in_time = find_lines(white);
+    const SpectralLines in_angle = fit.signals().has(Channel::kSpindleSpeed)
+                                       ? find_lines(over_angle(white, fit.signals()))
+                                       : SpectralLines{};
+    const double gain = std::max(in_time.gain, in_angle.gain);
+    if (in_angle.gain > in_time.gain)
+      add_lines(in_angle, sensor, true, bins_per_turn(fit.signals()), lines);
+    else
+      add_lines(in_time, sensor, false, fit.signals().rate_hz, lines);
     if (sensor == 0) torque = gain;
     largest += gain;
   }
   if (!(largest > leftover.gain)) return;
   leftover.torque_share = torque / largest;
   leftover.gain = largest;
-  leftover.is_periodic = true;
+  leftover.lines = std::move(lines);
 }
 
 }  // namespace

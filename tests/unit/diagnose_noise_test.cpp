@@ -21,7 +21,7 @@ std::vector<float> white(unsigned seed, std::size_t length = kLength) {
 }
 
 TEST(SpectralLines, FindsNoneInWhiteNoise) {
-  for (unsigned seed = 1; seed <= 50; ++seed) EXPECT_EQ(line_gain(white(seed)), 0.0) << "seed " << seed;
+  for (unsigned seed = 1; seed <= 50; ++seed) EXPECT_EQ(find_lines(white(seed)).gain, 0.0) << "seed " << seed;
 }
 
 TEST(SpectralLines, TakesASinesWholePower) {
@@ -33,7 +33,7 @@ TEST(SpectralLines, TakesASinesWholePower) {
   // n A^2 / 2; a noncentral chi-square of two degrees of freedom spreads by sqrt(4 + 4 x 256), four times
   // that.
   const double expected = kLength * kAmplitude * kAmplitude / 2.0;
-  EXPECT_NEAR(line_gain(values), expected, 4.0 * std::sqrt(4.0 + 4.0 * expected));
+  EXPECT_NEAR(find_lines(values).gain, expected, 4.0 * std::sqrt(4.0 + 4.0 * expected));
 }
 
 TEST(SpectralLines, DoNotDependOnTheSequencesUnit) {
@@ -41,14 +41,14 @@ TEST(SpectralLines, DoNotDependOnTheSequencesUnit) {
   for (std::size_t i = 0; i < kLength; ++i) values[i] += 0.3F * std::sin(0.2F * static_cast<float>(i));
   auto scaled = values;
   for (float& value : scaled) value *= 0.5F;
-  EXPECT_GT(line_gain(values), 100.0);
-  EXPECT_NEAR(line_gain(scaled), line_gain(values), 1.0e-3 * line_gain(values));
+  EXPECT_GT(find_lines(values).gain, 100.0);
+  EXPECT_NEAR(find_lines(scaled).gain, find_lines(values).gain, 1.0e-3 * find_lines(values).gain);
 }
 
 TEST(SpectralLines, AreNotLookedForInAFewSamples) {
   std::vector<float> values(255);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(0.5F * static_cast<float>(i));
-  EXPECT_EQ(line_gain(values), 0.0);
+  EXPECT_EQ(find_lines(values).gain, 0.0);
 }
 
 /// Noise of memory 0.8 and unit variance, three times as large in the air and five times in contact, which

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sim_host/diagnose/axis_outcome.hpp"
+#include "sim_host/diagnose/diagnosis_result.hpp"
+
+namespace morepro::host {
+
+/// Does most of an axis's structure without a name sit in this balance?
+bool shows_unnamed(const AxisOutcome& outcome, const BalanceResult& balance);
+
+/// Where that structure lies: residual ratios and cells of the balances that show it, over the noise beside
+/// nameless functions that take it, and its lines. `balances` are those of the model with the names.
+void show_unnamed(const AxisOutcome& outcome, std::vector<BalanceResult>& balances);
+
+/// What those functions are functions of, in words, the most important one first.
+std::vector<std::string> followed_by_unnamed(const AxisOutcome& outcome);
+
+}  // namespace morepro::host
