@@ -17,7 +17,7 @@ using gap::Effect;
 // No catalogue has exactly a machine's shapes: evidence that differs by this share of the best does not
 // decide. What stands in an alias set should hardly ever lack the truth; odds are as often right as they say.
 constexpr double kMisfitOfAliases = 0.015;
-constexpr double kMisfitOfOdds = 0.002;
+constexpr double kMisfitOfOdds = 0.001;
 // Through the speed alone, what brakes the spindle and what takes from its voltage look nearly the same.
 constexpr double kMisfitOfOneSignal = 0.15;
 constexpr double kDoubtOfChance = 0.25;  // share of what chance may be worth, which is an estimate

@@ -9,6 +9,8 @@ TITLES = {
     "right_effect_exact": "  the same without merging",
     "alias_set": "alias set (<= 3) holds the truth",
     "right_balance": "right balance",
+    "ratio_factor_median": "  its residual ratio is wrong by a factor of, median",
+    "ratio_factor_90": "  the same, 90 %",
     "two_effects": "two effects, exactly those",
     "unknown_unexplained": "unknown structure called unexplained",
     "left_out_unexplained": "  true candidate removed: unexplained or alias",

@@ -76,13 +76,21 @@ class Trial:
         names = set(self.top().get("alias_set", [])) | {self.top()["effect"]}
         return len(names) <= MOST_ALIASES and any(truth in names for truth in self.truths)
 
-    def named_balance(self):
+    def named_place(self):
+        """What was said about the balance with the largest gap; None where nothing was evaluated."""
         evaluated = [place for place in (self.said or {}).get("where", []) if place.get("evaluated")]
         places = [place for place in evaluated if place.get("significant")] or evaluated
-        return max(places, key=lambda place: place.get("residual_ratio") or 0.0)["balance"] if places else None
+        return max(places, key=lambda place: place.get("residual_ratio") or 0.0, default=None)
+
+    def ratio_factor(self):
+        """By what factor the residual ratio of that balance is wrong."""
+        place = self.named_place()
+        said, truth = place.get("residual_ratio"), self.label["ratios"].get(place["balance"])
+        return max(said / truth, truth / said) if said and truth else None
 
     def balance_is_right(self):
-        return self.named_balance() in self.label["effects"][0]["balances"]
+        place = self.named_place()
+        return place is not None and place["balance"] in self.label["effects"][0]["balances"]
 
     def true_onset_s(self):
         return self.label["effects"][0]["onset_s"]
@@ -184,6 +192,12 @@ def share_rows(singles):
             share_row("interval_covers", covered, len(errors))]
 
 
+def ratio_rows(trials):
+    factors = [factor for factor in (t.ratio_factor() for t in trials if t.named_place()) if factor]
+    return [number("ratio_factor_median", quantile(factors, 0.5), len(factors)),
+            number("ratio_factor_90", quantile(factors, 0.9), len(factors))]
+
+
 def calibration_rows(trials):
     brier, ece, count = calibration(trials, Trial.top_is_exact)
     merged_brier, merged_ece, _ = calibration(trials, Trial.top_is_right)
@@ -218,7 +232,7 @@ def score(trials):
     late = [t for t in detected if t.true_onset_s()]
     rows += [rate("onset_found", late, Trial.onset_is_right),
              rate("false_onset", [t for t in detected if not t.true_onset_s()], lambda t: t.said_onset_s() is not None)]
-    rows += calibration_rows(trials) + share_rows(visible)
+    rows += ratio_rows(detected + [t for t in unknown if t.is_alarm]) + calibration_rows(trials) + share_rows(visible)
     for ratio in sorted({t.wanted_ratio for t in singles}):
         group = [t for t in singles if t.wanted_ratio == ratio]
         rows.append(rate(f"detected_at_{ratio:g}", group, lambda t: t.is_alarm))

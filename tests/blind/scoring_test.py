@@ -77,6 +77,11 @@ class ScoringTest(unittest.TestCase):
     def test_a_failed_diagnosis_is_counted(self):
         self.assertEqual(score([Trial(label("none"), None)])["failed"]["hits"], 1)
 
+    def test_a_ratio_that_is_half_or_twice_the_truth_is_wrong_by_a_factor_of_two(self):
+        for truth in (1.0, 4.0):
+            row = score([Trial(label("unknown", "bump_in_the_way", ratio=truth), said("unexplained"))])["ratio_factor_median"]
+            self.assertEqual((row["value"], row["trials"]), (2.0, 1))
+
     def test_the_balance_is_the_significant_one(self):
         self.assertTrue(Trial(label("single", "feed_spring"), said("effect", "feed_spring")).balance_is_right())
 
