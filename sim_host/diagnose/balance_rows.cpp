@@ -168,12 +168,19 @@ void hold_out(const std::vector<Window>& windows, const BalanceIncrements& balan
   }
 }
 
-/// Where the model without them stands.
-std::vector<Window> windows_without_lines(BalanceIncrements balance, const AxisFit& fit,
-                                          const Coefficients& coefficient, const Leftover& leftover) {
-  for (const LeftLine& line : leftover.lines)
-    if (balance_of(fit.axis(), line) == balance.balance) add_line(line, fit.signals(), coefficient, balance);
+/// The same with lines beside the effects in the model, each of what those before it leave.
+std::vector<Window> windows_with_lines(BalanceIncrements balance, const AxisFit& fit,
+                                       Coefficients coefficient, const std::vector<LeftLine>& lines) {
+  coefficient.tail(1).setConstant(1.0);
+  for (const LeftLine& line : lines) add_line(line, fit.signals(), coefficient, balance);
   return windows_of(balance, fit.signals());
+}
+
+std::vector<LeftLine> lines_of(gap::Balance balance, Axis axis, const Leftover& leftover) {
+  std::vector<LeftLine> lines;
+  for (const LeftLine& line : leftover.lines)
+    if (!line.is_seen_twice && balance_of(axis, line) == balance) lines.push_back(line);
+  return lines;
 }
 
 BalanceRows rows_of(const BalanceIncrements& balance, const AxisFit& fit, const Leftover* leftover) {
@@ -190,8 +197,10 @@ BalanceRows rows_of(const BalanceIncrements& balance, const AxisFit& fit, const 
     after = fitted(windows, balance, scale, true, all);
     scale = scales_of(windows, after);
   }
-  if (leftover != nullptr) {
-    windows = windows_without_lines(balance, fit, after, *leftover);
+  const auto lines =
+      leftover == nullptr ? std::vector<LeftLine>{} : lines_of(balance.balance, fit.axis(), *leftover);
+  if (!lines.empty()) {
+    windows = windows_with_lines(balance, fit, after, lines);
     after = fitted(windows, balance, scale, true, all);
     scale = scales_of(windows, after);
   }
@@ -202,7 +211,7 @@ BalanceRows rows_of(const BalanceIncrements& balance, const AxisFit& fit, const 
   }
   rows.before = powers_of(windows, before, scale);
   rows.after = powers_of(windows, after, scale);
-  hold_out(windows, balance, scale, rows);
+  if (leftover == nullptr) hold_out(windows, balance, scale, rows);
   return rows;
 }
 

@@ -19,13 +19,14 @@ struct BalanceRows {
   gap::Balance balance = gap::Balance::kSpindleTorque;
   std::vector<WindowPower> before{};  ///< nominal parameters refitted to these rows
   std::vector<WindowPower> after{};   ///< and the effects, with one common size refitted
-  /// The same with sizes fitted to the other half of the windows, 2 s and 2 s in turn.
+  /// The same with sizes fitted to the other half of the windows, 2 s and 2 s in turn; none of what has no
+  /// name.
   std::vector<double> held_out_before{};
   std::vector<double> held_out_after{};
 };
 
-/// Rows of the balances of an axis that have their signals. `leftover`: what the
-/// model leaves without a name; its lines count as effects.
+/// Rows of the balances of an axis that have their signals. `leftover`: what the model leaves without a name;
+/// its lines count as effects.
 std::vector<BalanceRows> balance_rows(const AxisDiagnosis& diagnosis, const Leftover* leftover = nullptr);
 
 }  // namespace morepro::host

@@ -39,6 +39,7 @@ using gap::Effect;
 constexpr double kUnseen = 60.0;   // structure that may hide in the noise
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
+constexpr const char* kNoPlace = "; no balance that is evaluated shows it alone";
 
 bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
   const auto balance = axis == Axis::kSpindle ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
@@ -194,7 +195,8 @@ class Diagnosis {
   }
 
   std::string explanation() const {
-    if (const auto meaning = meaning_of(result_.verdict); !meaning.empty()) return std::string(meaning);
+    if (const auto meaning = meaning_of(result_.verdict); !meaning.empty())
+      return std::string(meaning) + (is_unexplained() && !result_.has_place() ? kNoPlace : "");
     if (signals_.rows < kFewestRows) return too_short();
     if (outcomes_.empty())
       return "no balance has its signals in the recording and its values in the machine file";
@@ -270,7 +272,7 @@ class Diagnosis {
         mark(balance, outcome);
         result_.where.push_back(std::move(balance));
       }
-      for (std::string& signal : followed_by_unnamed(outcome))
+      for (FollowedSignal& signal : followed_by_unnamed(outcome))
         result_.unexplained_follows.push_back(std::move(signal));
       gaps.insert(gaps.end(), rows[i].begin(), rows[i].end());
       for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit))

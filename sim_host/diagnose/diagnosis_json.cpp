@@ -49,6 +49,15 @@ Json which_of(const DiagnosisResult& r) {
   return which;
 }
 
+Json unexplained_of(const DiagnosisResult& r) {
+  Json follows = Json::array();
+  for (const FollowedSignal& one : r.unexplained_follows)
+    follows.push_back({{"balance", gap::name_of(one.balance)}, {"signal", one.signal}});
+  return {{"evidence", json_number(r.unexplained_evidence)},
+          {"share", json_number(r.unexplained_share)},
+          {"follows", std::move(follows)}};
+}
+
 Json comparison_of(const Comparisons& models) {
   Json comparison = Json::object();
   for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
@@ -104,10 +113,7 @@ std::string diagnosis_json(const DiagnosisResult& r) {
                   {"explanation", r.explanation},
                   {"where", where_of(r)},
                   {"which", which_of(r)},
-                  {"unexplained",
-                   {{"evidence", json_number(r.unexplained_evidence)},
-                    {"share", json_number(r.unexplained_share)},
-                    {"follows", r.unexplained_follows}}},
+                  {"unexplained", unexplained_of(r)},
                   {"shrinkage", shrinkage_of(r.shrinkage)},
                   {"parameters", json_parameters(r.parameters)},
                   {"board", board_of(r)},

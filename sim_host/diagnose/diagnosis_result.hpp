@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -108,6 +109,14 @@ struct ParameterResult {
   std::string reason;
 };
 
+/// A signal of which a function stands in for structure without a name.
+struct FollowedSignal {
+  gap::Balance balance = gap::Balance::kSpindleTorque;  ///< that the function is added to
+  std::string signal;                                   ///< in words
+
+  bool operator==(const FollowedSignal&) const = default;
+};
+
 struct DiagnosisResult {
   std::string file;
   std::size_t rows = 0;
@@ -121,15 +130,20 @@ struct DiagnosisResult {
   std::vector<EffectResult> which;
   Shrinkage shrinkage;
   std::vector<ParameterResult> parameters;
-  double unexplained_evidence = 0.0;             ///< of structure without a name
-  double unexplained_share = 0.0;                ///< of what the datasheet's model leaves beyond noise
-  std::vector<std::string> unexplained_follows;  ///< functions that stand in for it, in words, best first
+  double unexplained_evidence = 0.0;                ///< of structure without a name
+  double unexplained_share = 0.0;                   ///< of what the datasheet's model leaves beyond noise
+  std::vector<FollowedSignal> unexplained_follows;  ///< by that structure, in each balance the best first
   double threshold_evidence = 0.0;
   double temperature = 1.0;
   int bootstrap_runs = 0;
   GapTuning for_board;    ///< what a board needs to know to find the same
   gap::GapFinding board;  ///< what it then says about this recording
   bool board_agrees = false;
+
+  /// Is there a balance that shows a gap?
+  [[nodiscard]] bool has_place() const {
+    return std::any_of(where.begin(), where.end(), [](const BalanceResult& b) { return b.is_significant; });
+  }
 };
 
 }  // namespace morepro::host

@@ -64,6 +64,23 @@ std::string cells_text(const BalanceResult& balance) {
   return text;
 }
 
+/// What structure without a name follows: the best signals of each balance.
+std::string follows_text(const DiagnosisResult& r) {
+  constexpr std::size_t kMostSignals = 4;
+  std::string text;
+  if (r.verdict != Verdict::kUnexplained) return text;
+  for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
+    std::vector<std::string_view> signals;
+    for (const FollowedSignal& one : r.unexplained_follows)
+      if (static_cast<std::size_t>(one.balance) == b && signals.size() < kMostSignals)
+        signals.push_back(one.signal);
+    if (!signals.empty())
+      text += fmt::format("  {:16}  what has no name follows {}\n", gap::kBalanceNames[b],
+                          fmt::join(signals, "; "));
+  }
+  return text;
+}
+
 std::string where_text(const DiagnosisResult& r) {
   std::string text = "where\n";
   for (const BalanceResult& b : r.where) {
@@ -77,11 +94,7 @@ std::string where_text(const DiagnosisResult& r) {
     if (b.is_significant) text += cells_text(b);
     if (b.onset_s) text += fmt::format("  {:16}  sets in at {:.2f} s\n", "", *b.onset_s);
   }
-  if (r.verdict != Verdict::kUnexplained || r.unexplained_follows.empty()) return text;
-  constexpr std::ptrdiff_t kMostFollowed = 4;
-  const auto& follows = r.unexplained_follows;
-  const auto end = follows.begin() + std::min(kMostFollowed, std::ssize(follows));
-  return text + fmt::format("  what has no name follows {}\n", fmt::join(follows.begin(), end, "; "));
+  return text + follows_text(r);
 }
 
 std::string size_text(const EffectResult& e) {

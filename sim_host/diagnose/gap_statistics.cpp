@@ -73,6 +73,7 @@ class Collector {
         rows_{SensorRows(width), SensorRows(width)} {
     statistics.block_s = block_s;
     for (auto& values : statistics.normalised) values.reserve(signals.rows);
+    for (auto& rows : statistics.row) rows.reserve(signals.rows);
   }
 
   void begin_stretch() {
@@ -85,6 +86,7 @@ class Collector {
     const double deviation = std::sqrt(innovation.variance);
     statistics_.normalised[sensor].push_back(static_cast<float>(innovation.value / deviation));
     statistics_.in_contact[sensor].push_back(innovation.in_contact);
+    statistics_.row[sensor].push_back(static_cast<std::uint32_t>(innovation.row));
     statistics_.log_variance[sensor] += std::log(innovation.variance);
     const std::size_t block = innovation.row / rows_per_block_;
     if (block != block_) flush();

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct GapStatistics {
   /// deviation.
   std::array<std::vector<float>, kSensorsPerAxis> normalised;
   std::array<std::vector<bool>, kSensorsPerAxis> in_contact;
+  std::array<std::vector<std::uint32_t>, kSensorsPerAxis> row;  ///< of the recording: a sensor may lack some
   std::array<double, kSensorsPerAxis>
       log_variance{};  ///< sum over the innovations, as the observer expects it
 

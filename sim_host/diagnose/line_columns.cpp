@@ -57,7 +57,6 @@ void add_line(const LeftLine& line, const RecordingSignals& signals, const Eigen
   const Eigen::Index rows = std::min(left.size(), phases.size());
   for (Eigen::Index first = 0, last = 0; first < rows; first = last) {
     while (last < rows && phases(last) - phases(first) < longest) ++last;
-    if (last == first) break;
     const Eigen::Vector2d amplitude = amplitude_of(left, phases, first, last);
     for (Eigen::Index i = first; i < last; ++i)
       columns(i, columns.cols() - 2) +=

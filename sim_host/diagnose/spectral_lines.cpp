@@ -10,13 +10,21 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kMostLines = 6;
-constexpr std::size_t kFewest = 256;
+constexpr std::ptrdiff_t kFewest = 256;
+
+/// Is it no more than what a line between two frequencies leaves in those around it?
+bool is_beside(const SpectralLine& stronger, const SpectralLine& line, double per_cycle) {
+  constexpr double kNext = 2.5;
+  const double away = std::fabs(stronger.cycles_per_sample - line.cycles_per_sample) * per_cycle;
+  return away < kNext || line.power * away * away < stronger.power;
+}
 
 }  // namespace
 
 SpectralLines find_lines(std::span<const float> white) {
   SpectralLines found;
-  if (white.size() < kFewest) return found;
+  const auto is_known = [](float value) { return value != 0.0F; };
+  if (std::count_if(white.begin(), white.end(), is_known) < kFewest) return found;
   std::size_t length = 1;
   while (2 * length <= white.size()) length *= 2;
   std::vector<float> part(white.begin(), white.begin() + static_cast<std::ptrdiff_t>(length));
@@ -34,16 +42,19 @@ SpectralLines find_lines(std::span<const float> white) {
   const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2);
   std::nth_element(lines.begin(), middle, lines.end(), is_stronger);
   const double mean = middle->power / std::numbers::ln2;
+  found.noise = mean;
   // The largest of n exponential variables is ln n on average; e^-12 of all sequences reach 12 more.
   const double chance = std::log(found.noise_bins) + 12.0;
-  const std::size_t most = std::min(kMostLines, lines.size());
-  std::partial_sort(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(most), lines.end(),
-                    is_stronger);
-  for (std::size_t i = 0; i < most; ++i) {
-    const double power = lines[i].power / mean;
-    if (!(lines[i].power > chance * mean)) break;
-    found.lines.push_back({lines[i].cycles_per_sample, power});
-    found.gain += 2.0 * power * static_cast<double>(white.size()) / all;
+  const auto end_of_strong =
+      std::partition(lines.begin(), lines.end(),
+                     [least = chance * mean](const SpectralLine& line) { return line.power > least; });
+  lines.erase(end_of_strong, lines.end());
+  std::sort(lines.begin(), lines.end(), is_stronger);
+  for (std::size_t i = 0; i < lines.size() && found.lines.size() < kMostLines; ++i) {
+    const SpectralLine line{lines[i].cycles_per_sample, lines[i].power / mean};
+    if (i < kMostLines) found.gain += 2.0 * line.power * static_cast<double>(white.size()) / all;
+    const auto hides = [&](const SpectralLine& other) { return is_beside(other, line, all); };
+    if (std::none_of(found.lines.begin(), found.lines.end(), hides)) found.lines.push_back(line);
   }
   return found;
 }

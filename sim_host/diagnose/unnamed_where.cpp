@@ -62,13 +62,40 @@ constexpr std::array<std::string_view, kBeforePlaces> kOfFeed{
     "position times feed force",
 };
 
+/// "the estimated current" where it was not recorded.
+std::string as_known(std::string words, const RecordingSignals& signals) {
+  struct Signal {
+    std::string_view name;
+    Channel channel;
+  };
+  constexpr std::array<Signal, 4> kEstimated{{{"current", Channel::kArmatureCurrent},
+                                              {"feed speed", Channel::kFeedSpeed},
+                                              {"position", Channel::kFeedPosition},
+                                              {"winding temperature", Channel::kWindingTemperature}}};
+  constexpr std::string_view kPrefix = "estimated ";
+  for (const auto& [name, channel] : kEstimated) {
+    if (signals.has(channel)) continue;
+    for (std::size_t at = words.find(name); at != std::string::npos;
+         at = words.find(name, at + kPrefix.size() + name.size()))
+      words.insert(at, kPrefix);
+  }
+  return words;
+}
+
 std::string words_for(const gap::EffectForm& form, const gap::EffectScales<double>& scales) {
   const std::size_t law = form.kind;
-  const std::string late = form.shape > 0.0F ? fmt::format(", {:g} ms late", 1.0e3F * form.shape) : "";
-  if (form.effect != gap::Effect::kUnnamedForce) return std::string(kOfSpindle.at(law)) + late;
-  if (law < kBeforePlaces) return std::string(kOfFeed.at(law)) + late;
+  if (form.effect != gap::Effect::kUnnamedForce) return std::string(kOfSpindle.at(law));
+  if (law < kBeforePlaces) return std::string(kOfFeed.at(law));
   const double place = (static_cast<double>(law - kBeforePlaces) + 0.5) / gap::laws::kUnnamedPlaces;
-  return fmt::format("the place near {:.4g} m", scales.travel_from_m + place * scales.travel_m) + late;
+  return fmt::format("the place near {:.4g} m", scales.travel_from_m + place * scales.travel_m);
+}
+
+gap::Balance balance_of(const gap::EffectForm& form, const RecordingSignals& signals) {
+  if (form.effect == gap::Effect::kUnnamedForce) return gap::Balance::kFeedForce;
+  // Without a current, the torque's balance is all that is evaluated of both.
+  return form.effect == gap::Effect::kUnnamedVoltage && signals.has(Channel::kArmatureCurrent)
+             ? gap::Balance::kArmatureVoltage
+             : gap::Balance::kSpindleTorque;
 }
 
 /// The model with the functions that stand in for what has no name.
@@ -91,15 +118,8 @@ std::vector<BalanceResult> balances_over_noise(const AxisDiagnosis& diagnosis, c
 }
 
 void add_line_cells(const AxisOutcome& outcome, BalanceResult& balance) {
-  std::vector<double> told;
   for (const LeftLine& line : outcome.leftover.lines) {
     if (balance_of(outcome.diagnosis.fit.axis(), line) != balance.balance) continue;
-    // One that lies between two frequencies of the spectrum has its neighbours' power, too.
-    const auto is_next = [&line](double other) {
-      return std::fabs(other - line.frequency) < 2.5 * line.resolution;
-    };
-    if (std::any_of(told.begin(), told.end(), is_next)) continue;
-    told.push_back(line.frequency);
     balance.cells.push_back({line.is_order ? "order" : "frequency", line.frequency - 0.5 * line.resolution,
                              line.frequency + 0.5 * line.resolution, line.power, line.p_value});
   }
@@ -112,17 +132,21 @@ bool shows_unnamed(const AxisOutcome& outcome, const BalanceResult& balance) {
   return balance.is_evaluated && here > 0.0 && here >= 0.5 * outcome.leftover.gain;
 }
 
-void show_unnamed(const AxisOutcome& outcome, std::vector<BalanceResult>& balances) {
+void show_unnamed(AxisOutcome& outcome, std::vector<BalanceResult>& balances) {
   if (!(outcome.unnamed_deviance() > 0.0)) return;
-  const std::vector<BalanceResult> shown = balances_over_noise(with_functions(outcome), outcome.leftover);
-  const auto all = static_cast<double>(outcome.diagnosis.fit.signals().rows);
-  const double rows = all / (0.5 * kWindowLength) * kRowsPerWindow;
+  AxisDiagnosis explained = with_functions(outcome);
+  tell_lines_from_functions(explained.fit, outcome.leftover);
+  if (outcome.leftover.is_lines_only) explained = outcome.diagnosis;
+  const std::vector<BalanceResult> shown = balances_over_noise(explained, outcome.leftover);
+  const auto samples = static_cast<double>(outcome.diagnosis.fit.signals().rows);
+  const double window_rows = samples / (0.5 * kWindowLength) * kRowsPerWindow;
   for (std::size_t i = 0; i < balances.size(); ++i) {
     BalanceResult& balance = balances[i];
     if (!shows_unnamed(outcome, balance)) continue;
     const double left_by_names = balance.residual_ratio_after / balance.residual_ratio;
     // Above the frequencies of the windows only the evidence tells of it.
-    const double by_evidence = (1.0 + outcome.unnamed_deviance_in(balance.balance) / rows) / left_by_names;
+    const double by_evidence =
+        (1.0 + outcome.unnamed_deviance_in(balance.balance) / window_rows) / left_by_names;
     balance.residual_ratio = std::max(shown[i].residual_ratio, by_evidence);
     balance.residual_ratio_after = left_by_names * balance.residual_ratio;
     balance.cells = shown[i].cells;
@@ -130,13 +154,18 @@ void show_unnamed(const AxisOutcome& outcome, std::vector<BalanceResult>& balanc
   }
 }
 
-std::vector<std::string> followed_by_unnamed(const AxisOutcome& outcome) {
-  std::vector<std::string> words;
-  if (!(outcome.unnamed_deviance() > 0.0)) return words;
+std::vector<FollowedSignal> followed_by_unnamed(const AxisOutcome& outcome) {
+  std::vector<FollowedSignal> followed;
+  if (!(outcome.unnamed_deviance() > 0.0) || outcome.leftover.is_lines_only) return followed;
   const AxisFit& fit = outcome.diagnosis.fit;
   const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
-  for (const gap::EffectForm& form : outcome.leftover.functions) words.push_back(words_for(form, scales));
-  return words;
+  for (const gap::EffectForm& form : outcome.leftover.functions) {
+    FollowedSignal one{balance_of(form, fit.signals()), as_known(words_for(form, scales), fit.signals())};
+    // The same function, late and not, is one.
+    if (std::find(followed.begin(), followed.end(), one) == followed.end())
+      followed.push_back(std::move(one));
+  }
+  return followed;
 }
 
 }  // namespace morepro::host

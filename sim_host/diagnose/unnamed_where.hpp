@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "sim_host/diagnose/axis_outcome.hpp"
@@ -11,10 +10,11 @@ namespace morepro::host {
 bool shows_unnamed(const AxisOutcome& outcome, const BalanceResult& balance);
 
 /// Where that structure lies: residual ratios and cells of the balances that show it, over the noise beside
-/// nameless functions that take it, and its lines. `balances` are those of the model with the names.
-void show_unnamed(const AxisOutcome& outcome, std::vector<BalanceResult>& balances);
+/// nameless functions that take it, and its lines. `balances` are those of the model with the names. Of lines
+/// and functions that take the same, one kind stays in `outcome`.
+void show_unnamed(AxisOutcome& outcome, std::vector<BalanceResult>& balances);
 
-/// What those functions are functions of, in words, the most important one first.
-std::vector<std::string> followed_by_unnamed(const AxisOutcome& outcome);
+/// What those functions are functions of, the most important one first; none where they stand in for lines.
+std::vector<FollowedSignal> followed_by_unnamed(const AxisOutcome& outcome);
 
 }  // namespace morepro::host

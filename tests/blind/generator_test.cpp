@@ -11,13 +11,13 @@
 namespace blind {
 namespace {
 
-Scenario scenario(std::uint64_t seed, bool is_thesis, bool is_rich) {
+Scenario scenario(std::uint64_t seed, bool is_thesis, bool is_rich, double sample_s = 1e-4) {
   Random random(seed, 1);
   Scenario s;
   s.machine = random_machine(random, is_thesis);
   s.seed = seed;
-  s.excitation = is_rich ? rich_excitation(s.machine, 4.0, 1e-4, random)
-                         : production_excitation(s.machine, 4.0, 1e-4, random);
+  s.excitation = is_rich ? rich_excitation(s.machine, 4.0, sample_s, random)
+                         : production_excitation(s.machine, 4.0, sample_s, random);
   return s;
 }
 
@@ -33,6 +33,34 @@ TEST(BlindPlant, LeavesNothingInTheRowsWithoutNoiseAndEffects) {
     // there.
     for (double ratio : residual_ratios(columns_of(simulate(quiet, {})), noisy.machine, floor))
       EXPECT_LT(ratio, 0.02);
+  }
+}
+
+TEST(BlindPlant, SamplesAsOftenAsItIsAsked) {
+  for (const double sample_s : {5e-4, 5e-5}) {
+    Scenario s = scenario(3, false, true, sample_s);
+    for (Sensor* sensor : {&s.machine.speed, &s.machine.feed, &s.machine.current}) *sensor = {};
+    for (const bool sees_state : {false, true}) {
+      s.controllers_see_state = sees_state;
+      const blind::Run run = simulate(s, {});
+      ASSERT_TRUE(run.is_finite);
+      ASSERT_EQ(run.rows.size(), static_cast<std::size_t>(std::lround(4.0 / sample_s)));
+      EXPECT_NEAR(run.rows[1].time_s - run.rows[0].time_s, sample_s, 1e-12);
+    }
+  }
+}
+
+// What sensors make of it does not reach the inputs then.
+TEST(BlindPlant, IsControlledByItsStateWhereThatIsAsked) {
+  for (const bool sees_state : {false, true}) {
+    Scenario s = scenario(3, false, true);
+    s.controllers_see_state = sees_state;
+    const auto quiet = simulate(s, {});
+    for (Sensor* sensor : {&s.machine.speed, &s.machine.feed}) sensor->noise *= 2.0;
+    const auto loud = simulate(s, {});
+    EXPECT_EQ(quiet.rows.back().in.voltage_v == loud.rows.back().in.voltage_v, sees_state);
+    EXPECT_EQ(quiet.rows.back().in.force_n == loud.rows.back().in.force_n, sees_state);
+    EXPECT_NE(quiet.rows.back().seen.w, loud.rows.back().seen.w);
   }
 }
 
@@ -90,7 +118,7 @@ TEST(BlindSuite, VariesHowItsTrialsAreRecordedAndNothingElse) {
   const auto full = suite("full", 1), varied = suite("varied", 1);
   ASSERT_EQ(full.size(), varied.size());
   std::set<double> samples_s;
-  std::size_t seeing = 0;
+  double quietest = 1.0, loudest = 1.0, seeing = 0.0, white = 0.0;
   for (std::size_t k = 0; k < full.size(); ++k) {
     EXPECT_EQ(full[k].seed, varied[k].seed);
     EXPECT_EQ(full[k].effects, varied[k].effects);
@@ -99,10 +127,19 @@ TEST(BlindSuite, VariesHowItsTrialsAreRecordedAndNothingElse) {
     EXPECT_FALSE(plain.controllers_see_state);
     EXPECT_LE(drawn.duration_s / drawn.sample_s, 200001.0);
     samples_s.insert(drawn.sample_s);
-    seeing += drawn.controllers_see_state ? 1 : 0;
+    EXPECT_EQ(plain.loudness, 1.0);
+    EXPECT_FALSE(plain.is_white);
+    quietest = std::min(quietest, drawn.loudness);
+    loudest = std::max(loudest, drawn.loudness);
+    seeing += drawn.controllers_see_state;
+    white += drawn.is_white;
   }
   EXPECT_EQ(samples_s.size(), 4U);
-  EXPECT_NEAR(static_cast<double>(seeing) / static_cast<double>(full.size()), 0.5, 0.1);
+  EXPECT_LT(quietest, 0.35);
+  EXPECT_GT(loudest, 2.8);
+  const auto trials = static_cast<double>(full.size());
+  EXPECT_NEAR(seeing / trials, 0.5, 0.1);
+  EXPECT_NEAR(white / trials, 0.4, 0.1);
 }
 
 TEST(BlindTrial, RepeatsItselfBySeed) {

@@ -83,9 +83,9 @@ class Trial:
         return max(places, key=lambda place: place.get("residual_ratio") or 0.0, default=None)
 
     def ratio_factor(self):
-        """By what factor the residual ratio of that balance is wrong."""
-        place = self.named_place()
-        said, truth = place.get("residual_ratio"), self.label["ratios"].get(place["balance"])
+        """By what factor the residual ratio of that balance is wrong; None where one of both is not known."""
+        place = self.named_place() or {}
+        said, truth = place.get("residual_ratio"), self.label["ratios"].get(place.get("balance"))
         return max(said / truth, truth / said) if said and truth else None
 
     def balance_is_right(self):
@@ -193,7 +193,7 @@ def share_rows(singles):
 
 
 def ratio_rows(trials):
-    factors = [factor for factor in (t.ratio_factor() for t in trials if t.named_place()) if factor]
+    factors = [factor for factor in (t.ratio_factor() for t in trials) if factor]
     return [number("ratio_factor_median", quantile(factors, 0.5), len(factors)),
             number("ratio_factor_90", quantile(factors, 0.9), len(factors))]
 

@@ -45,6 +45,23 @@ TEST(SpectralLines, DoNotDependOnTheSequencesUnit) {
   EXPECT_NEAR(find_lines(scaled).gain, find_lines(values).gain, 1.0e-3 * find_lines(values).gain);
 }
 
+TEST(SpectralLines, AreOneForEachSine) {
+  auto values = white(7);
+  const auto add = [&values](double cycles, double amplitude) {
+    for (std::size_t i = 0; i < kLength; ++i)
+      values[i] += static_cast<float>(
+          amplitude * std::sin(2.0 * std::numbers::pi * cycles * static_cast<double>(i) / kLength));
+  };
+  add(300.5, 2.0);  // between two frequencies: in many of them
+  add(310.0, 0.5);
+  add(1000.0, 0.2);
+  const SpectralLines found = find_lines(values);
+  ASSERT_EQ(found.lines.size(), 3U);
+  EXPECT_NEAR(kLength * found.lines[0].cycles_per_sample, 300.5, 0.6);
+  EXPECT_NEAR(kLength * found.lines[1].cycles_per_sample, 310.0, 0.1);
+  EXPECT_NEAR(kLength * found.lines[2].cycles_per_sample, 1000.0, 0.1);
+}
+
 TEST(SpectralLines, AreNotLookedForInAFewSamples) {
   std::vector<float> values(255);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(0.5F * static_cast<float>(i));

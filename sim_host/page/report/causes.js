@@ -26,6 +26,16 @@ function causeOf(cause) {
   return made;
 }
 
+/** What structure without a name follows, balance by balance; nothing where it follows no signal. */
+function followedBy({ follows }) {
+  const balances = [...new Set(follows.map(({ balance }) => balance))];
+  if (balances.length === 0) return null;
+  return element("ul", { className: "follows" }, ...balances.map((balance) => {
+    const signals = follows.filter((one) => one.balance === balance).map(({ signal }) => signal);
+    return element("li", { text: `In ${spoken(balance)} it follows ${signals.join("; ")}.` });
+  }));
+}
+
 /** Ranked causes with how sure they are. */
 export function addCauses(place, { which, verdict, threshold, unexplained }) {
   if (which.length === 0) place.append(element("p", { text: NONE[verdict] ?? "" }));
@@ -33,7 +43,7 @@ export function addCauses(place, { which, verdict, threshold, unexplained }) {
   if (verdict === "unexplained")
     place.append(element("p", {
       text: `${percent(unexplained.share)} of what the datasheet's model leaves has no name.`,
-    }));
+    }), followedBy(unexplained) ?? "");
   const { evidence, bootstrap_runs: runs, temperature } = threshold;
   if (evidence === 0) return;  // nothing was looked at
   const chance = `Chance reaches an evidence of ${shown(evidence, 3)} in this recording (${runs} runs); evidence ` +

@@ -16,14 +16,18 @@ const REGIMES = {
   time: { title: "Time, s" },
 };
 const range = ({ from, to }) => `${shown(from, 3)} .. ${shown(to, 3)}`;
+/** A frequency or an order that stands alone, not a band: nothing between its ends could be read. */
+const isLine = ({ by, from, to }) => (by === "frequency" || by === "order") && to > from && to - from < 0.05 * to;
+const nameOf = (cell, regime) => (isLine(cell) ? `at ${shown((cell.from + cell.to) / 2)}` : (regime.name ?? range)(cell));
 
 function cellOf(cell, regime) {
   const made = element("td", { className: "heat" },
     element("b", { text: shown(cell.residual_ratio, 3) }),
-    element("span", { text: (regime.name ?? range)(cell) }));
+    element("span", { text: nameOf(cell, regime) }));
   made.classList.toggle("significant", cell.p_value < SIGNIFICANT);
   made.title = `p = ${shown(cell.p_value, 2)}`;
   made.dataset.ratio = cell.residual_ratio;
+  made.dataset.line = isLine(cell);
   return made;
 }
 
@@ -76,12 +80,15 @@ const LEGEND =
   "1 is a perfect model. An outlined cell is more than chance (p below 0.01, corrected for the number of cells). A cell " +
   "of time shows that time in all charts.";
 
-/** One scale for all maps, so that the largest residual is the darkest and the place of a gap is seen. */
+/**
+ * One scale for all maps, so that the largest residual is the darkest and the place of a gap is seen. A line is over the
+ * noise of one frequency, and would leave no colour to the bands.
+ */
 function colour(cells) {
   const ratios = cells.map(({ dataset }) => Number(dataset.ratio) || 1);
-  const darkest = Math.max(DARKEST, ...ratios);
+  const darkest = Math.max(DARKEST, ...ratios.filter((_, i) => cells[i].dataset.line !== "true"));
   cells.forEach((cell, i) => {
-    const share = Math.max(0, Math.log(Math.max(1, ratios[i])) / Math.log(darkest));
+    const share = Math.min(1, Math.log(Math.max(1, ratios[i])) / Math.log(darkest));
     cell.style.setProperty("--heat", `${Math.round(STRONGEST * share)}%`);
   });
 }

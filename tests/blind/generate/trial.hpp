@@ -15,7 +15,7 @@ struct TrialSpec {
   std::vector<double> ratios;  ///< wanted residual ratio of each effect alone
   std::uint64_t seed = 1;
   double duration_s = 10.0;
-  bool is_varied = false;  ///< sampling, loudness and controllers are drawn, too
+  bool is_varied = false;  ///< how it is recorded is drawn, too: Conditions
 };
 
 /// Makes the trial and writes recording, machine file and the options to diagnose it with into `directory`.
