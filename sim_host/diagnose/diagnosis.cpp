@@ -39,7 +39,6 @@ using gap::Effect;
 constexpr double kUnseen = 60.0;   // structure that may hide in the noise
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
-constexpr const char* kNoPlace = "; no balance that is evaluated shows it alone";
 
 bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
   const auto balance = axis == Axis::kSpindle ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
@@ -162,12 +161,14 @@ class Diagnosis {
     double named = 0.0;
     double known = 0.0;
     double unnamed = 0.0;
+    double deviance = 0.0;  // of what is unnamed
     bool has_wrong_parameters = false;
     bool has_excitation = false;
     for (const AxisOutcome& outcome : outcomes_) {
       result_.threshold_evidence = std::max(result_.threshold_evidence, outcome.threshold());
       result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
       const double leftover = outcome.unnamed_deviance();
+      deviance += leftover;
       unnamed += excess_of(leftover);
       result_.unexplained_evidence += outcome.leftover.gain;
       named += excess_of(leftover + outcome.named_deviance()) - excess_of(leftover);
@@ -178,7 +179,7 @@ class Diagnosis {
     result_.bootstrap_runs = options_.bootstrap_runs;
     result_.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
     const bool has_effect = named > 0.0 || !faults_.empty();
-    if (leaves_structure(faults_)) unnamed = 0.0;
+    if (deviance < structure_left_by(faults_) * static_cast<double>(signals_.rows)) unnamed = 0.0;
     if (outcomes_.empty() || !has_excitation)
       result_.verdict = Verdict::kInsufficientExcitation;
     else if (unnamed > kUnexplainedShare * (known + named + unnamed))
@@ -196,7 +197,9 @@ class Diagnosis {
 
   std::string explanation() const {
     if (const auto meaning = meaning_of(result_.verdict); !meaning.empty())
-      return std::string(meaning) + (is_unexplained() && !result_.has_place() ? kNoPlace : "");
+      return std::string(meaning) + (is_unexplained() && !result_.has_place()
+                                         ? "; no balance that is evaluated shows it alone"
+                                         : "");
     if (signals_.rows < kFewestRows) return too_short();
     if (outcomes_.empty())
       return "no balance has its signals in the recording and its values in the machine file";

@@ -30,8 +30,9 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
 /// Rows that are missing or repeat the one before; repeated samples are taken out of `signals`.
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors);
 
-/// Do these leave structure of which nobody could say whether it is the machine's? A few lost samples do not.
-bool leaves_structure(const std::vector<SamplingFault>& faults);
+/// Deviance per row of structure that these may leave, of which nobody could say whether it is the machine's:
+/// a coarse step and a jittering clock any, lost samples a little.
+double structure_left_by(const std::vector<SamplingFault>& faults);
 
 /// Where a sensor's faults show most.
 constexpr gap::Balance balance_shown_by(Channel channel) {

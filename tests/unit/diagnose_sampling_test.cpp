@@ -70,15 +70,15 @@ TEST(SamplingChecks, TakeNoLongHoleForLostSamples) {
   EXPECT_NEAR(fault->size, 100.0 / static_cast<double>(signals.rows), 1.0e-9);
 }
 
-TEST(SamplingChecks, KnowThatAFewLostSamplesLeaveNoStructure) {
+TEST(SamplingChecks, KnowThatLostSamplesLeaveLittleStructure) {
   const auto lost = [](double share) {
     return std::vector{SamplingFault{Effect::kSampleDropout, Channel::kSpindleSpeed, share, 0.0, 0.0}};
   };
-  EXPECT_FALSE(leaves_structure({}));
-  EXPECT_FALSE(leaves_structure(lost(0.002)));
-  EXPECT_TRUE(leaves_structure(lost(0.05)));
-  EXPECT_TRUE(
-      leaves_structure({SamplingFault{Effect::kSensorQuantization, Channel::kFeedSpeed, 20.0, 0.0, 0.0}}));
+  EXPECT_EQ(structure_left_by({}), 0.0);
+  EXPECT_LT(structure_left_by(lost(0.05)), 0.01);
+  EXPECT_GT(structure_left_by(lost(0.05)), structure_left_by(lost(0.002)));
+  EXPECT_TRUE(std::isinf(
+      structure_left_by({SamplingFault{Effect::kSensorQuantization, Channel::kFeedSpeed, 20.0, 0.0, 0.0}})));
 }
 
 TEST(SamplingChecks, TakeRepeatedRowsOutOfTheRecording) {
