@@ -40,11 +40,6 @@ constexpr double kUnseen = 60.0;   // structure that may hide in the noise
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
 
-bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
-  const auto balance = axis == Axis::kSpindle ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
-  return why_not_evaluated(balance, signals, machine).empty();
-}
-
 class Diagnosis {
  public:
   /// `signals`: of what was `recorded`, all or thinned.

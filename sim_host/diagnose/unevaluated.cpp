@@ -53,6 +53,11 @@ std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& sign
   return missing.text();
 }
 
+bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
+  const auto balance = axis == Axis::kSpindle ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
+  return why_not_evaluated(balance, signals, machine).empty();
+}
+
 std::string untested_effects(const RecordingSignals& signals, const MachineDescription& machine) {
   if (signals.is_current_driven)
     return fmt::format(
