@@ -62,6 +62,16 @@ TEST(SpectralLines, AreOneForEachSine) {
   EXPECT_NEAR(kLength * found.lines[2].cycles_per_sample, 1000.0, 0.1);
 }
 
+TEST(SpectralLines, AreOneForASineThatDrifts) {
+  auto values = white(7);
+  for (std::size_t i = 0; i < kLength; ++i) {
+    const double part = static_cast<double>(i) / kLength;
+    const double turns = 700.0 * part + 1.5 * part * part;  // by three frequencies
+    values[i] += static_cast<float>(0.5 * std::sin(2.0 * std::numbers::pi * turns));
+  }
+  EXPECT_EQ(find_lines(values).lines.size(), 1U);
+}
+
 TEST(SpectralLines, AreNotLookedForInAFewSamples) {
   std::vector<float> values(255);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(0.5F * static_cast<float>(i));

@@ -99,21 +99,22 @@ TEST(UnnamedStructure, FollowsTheFeedsSpeedInTheVoltage) {
   EXPECT_GT(slow_excess(result), 2.0 * voltage.residual_ratio);
 }
 
-/// What the feed's speed takes of the voltage, without the sensor of the current.
-TEST(UnnamedStructure, HasAPlaceWithoutACurrent) {
+TEST(UnnamedStructure, HasAPlaceWithoutACurrentAndFollowsWhatIsEstimatedOfIt) {
   RecordingSignals signals =
       with_lost_voltage([](const RecordingSignals& recorded, std::size_t row, double, double) {
-        const float speed = recorded.value[index_of(Channel::kFeedSpeed)][row];
-        return speed == speed ? 5.0 * static_cast<double>(speed) : 0.0;
+        const float current = recorded.value[index_of(Channel::kArmatureCurrent)][row];
+        const float speed = recorded.value[index_of(Channel::kSpindleSpeed)][row];
+        const double product = static_cast<double>(current) * static_cast<double>(speed);
+        return product == product ? 2.0e-3 * product : 0.0;
       });
   leave_out(signals, Channel::kArmatureCurrent);
   const DiagnosisResult result = diagnosed(signals, datasheet(0.05));
   ASSERT_EQ(result.verdict, Verdict::kUnexplained) << said(result);
   EXPECT_TRUE(balance_in(result, gap::Balance::kSpindleTorque).is_significant);
-  for (const auto& [balance, signal] : result.unexplained_follows) {
-    EXPECT_EQ(balance, gap::Balance::kSpindleTorque) << signal;
-    EXPECT_EQ(signal.find("the current"), std::string::npos) << signal;
-  }
+  ASSERT_FALSE(result.unexplained_follows.empty());
+  EXPECT_EQ(result.unexplained_follows.front().signal, "speed times estimated current");
+  for (const FollowedSignal& one : result.unexplained_follows)
+    EXPECT_EQ(one.balance, gap::Balance::kSpindleTorque) << one.signal;
 }
 
 DiagnosisResult with_37_hz(double amplitude_v) {
@@ -163,7 +164,7 @@ TEST(UnnamedStructure, IsAFrequencyAndAnOrderWhereTheSpeedHardlyChanges) {
 }
 
 // A fifth of the excess: the parameters bend to both lines, and the pieces in which these are taken out hold
-// noise. Without the first, the second would be no smaller than alone.
+// noise.
 TEST(UnnamedStructure, IsTheSumOfItsLines) {
   const auto ratio = [](const Volts& lost_v) {
     const DiagnosisResult result = diagnosed(with_lost_voltage(lost_v), datasheet(0.05));
