@@ -27,6 +27,43 @@ std::size_t dropped(const std::vector<float>& column) {
   return count;
 }
 
+/// Do two rows show the same on every sensor, on two of them at least that are finer than their noise? One
+/// alone may stand still, and a coarse one repeats itself by rounding.
+bool show_the_same(const RecordingSignals& signals, const Sensors& sensors, std::size_t row,
+                   std::size_t other) {
+  int same = 0;
+  for (const Channel channel : kNoisyChannels) {
+    if (!signals.has(channel)) continue;
+    const auto& column = signals.value[index_of(channel)];
+    if (!(column[row] == column[row]) || !(column[other] == column[other])) continue;
+    if (column[row] != column[other]) return false;
+    if (sensors[channel].lsb <= 0.2 * sensors[channel].noise) ++same;
+  }
+  return same >= 2;
+}
+
+/// Takes rows out that repeat the one before, and returns how many more there are than chance makes: samples
+/// in steps are equal now and then, and then they are to those before the last one just as often.
+double leave_out_repeated_rows(RecordingSignals& signals, const Sensors& sensors) {
+  constexpr double kSurely = 5.0;  // standard deviations, beyond twice what chance makes
+  std::vector<std::size_t> repeated;
+  std::size_t by_chance = 0;
+  for (std::size_t row = 1; row < signals.rows; ++row) {
+    if (show_the_same(signals, sensors, row, row - 1))
+      repeated.push_back(row);
+    else if (row >= 2 && show_the_same(signals, sensors, row, row - 2))
+      ++by_chance;
+  }
+  const auto chance = static_cast<double>(by_chance);
+  const auto count = static_cast<double>(repeated.size());
+  if (!(count > 2.0 * chance + kSurely * std::sqrt(chance))) return 0.0;
+  for (const std::size_t row : repeated)
+    for (const Channel channel : kNoisyChannels)
+      if (signals.has(channel))
+        signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
+  return count - chance;
+}
+
 }  // namespace
 
 double step_of(const std::vector<float>& column) {
@@ -92,28 +129,11 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
 
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors) {
   constexpr double kLeastFraction = 5.0e-4;
-  std::size_t repeated = 0;
-  for (std::size_t row = signals.rows; row-- > 1;) {
-    int same = 0;
-    int different = 0;
-    for (const Channel channel : kNoisyChannels) {
-      if (!signals.has(channel)) continue;
-      const SensorNoise& sensor = sensors[channel];
-      if (sensor.lsb > 0.2 * sensor.noise) continue;  // repeats itself by rounding
-      const auto& column = signals.value[index_of(channel)];
-      if (!(column[row] == column[row]) || !(column[row - 1] == column[row - 1])) continue;
-      (column[row] == column[row - 1] ? same : different)++;
-    }
-    if (same < 2 || different > 0) continue;  // one alone may stand still
-    ++repeated;
-    for (const Channel channel : kNoisyChannels)
-      if (signals.has(channel))
-        signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
-  }
+  const double repeated = leave_out_repeated_rows(signals, sensors);
   std::size_t holes = 0;
   for (const Channel channel : kNoisyChannels)
     if (signals.has(channel)) holes = std::max(holes, dropped(signals.value[index_of(channel)]));
-  const double fraction = static_cast<double>(std::max(holes, repeated)) /
+  const double fraction = std::max(static_cast<double>(holes), repeated) /
                           static_cast<double>(std::max<std::size_t>(signals.rows, 1));
   if (fraction < kLeastFraction || fraction > 0.9) return std::nullopt;
   const double error = std::sqrt(fraction * (1.0 - fraction) / static_cast<double>(signals.rows));

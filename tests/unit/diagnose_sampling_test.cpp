@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "sim_host/diagnose/sampling_checks.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
@@ -99,6 +102,46 @@ TEST(SamplingChecks, DoNotTakeOneSensorThatStandsStillForALostRow) {
   auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
   std::fill(speed.begin() + 2000, speed.begin() + 4000, speed[2000]);
   EXPECT_FALSE(find_dropout(signals, reference_sensors()).has_value());
+}
+
+/// Two sensors that stand still in noise of ten of their steps: one row in 1250 repeats the one before.
+RecordingSignals two_stepped_sensors(std::size_t rows) {
+  RecordingSignals signals;
+  signals.rate_hz = 10000.0;
+  signals.rows = rows;
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0.0, 10.0);
+  for (const Channel channel : {Channel::kSpindleSpeed, Channel::kArmatureCurrent}) {
+    signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(channel));
+    auto& column = signals.value[index_of(channel)];
+    for (std::size_t row = 0; row < rows; ++row)
+      column.push_back(static_cast<float>(std::round(noise(random))));
+  }
+  return signals;
+}
+
+Sensors with_ten_steps_of_noise() {
+  Sensors sensors = reference_sensors();
+  for (const Channel channel : {Channel::kSpindleSpeed, Channel::kArmatureCurrent})
+    sensors[channel] = {.noise = 10.0, .lsb = 1.0};
+  return sensors;
+}
+
+TEST(SamplingChecks, TakeNoRowForLostThatChanceMakesEqual) {
+  RecordingSignals signals = two_stepped_sensors(80000);
+  EXPECT_FALSE(find_dropout(signals, with_ten_steps_of_noise()).has_value());
+  for (const float value : signals.value[index_of(Channel::kSpindleSpeed)]) ASSERT_FALSE(std::isnan(value));
+}
+
+TEST(SamplingChecks, TellLostRowsFromThoseThatChanceMakesEqual) {
+  constexpr std::size_t kLostEvery = 100;
+  RecordingSignals signals = two_stepped_sensors(80000);
+  for (std::size_t row = kLostEvery; row < signals.rows; row += kLostEvery)
+    for (auto& column : signals.value)
+      if (!column.empty()) column[row] = column[row - 1];
+  const auto fault = find_dropout(signals, with_ten_steps_of_noise());
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_NEAR(fault->size, 1.0 / kLostEvery, 1.0e-3);
 }
 
 TEST(Thinned, KeepsSamplesAndAveragesInputs) {
