@@ -39,6 +39,8 @@ class AxisFit {
   void look_at_the_end(double from_s) { look_at({after(*signals_, from_s)}); }
   /// Fits the process noise alone.
   void match_noise();
+  /// Takes the model as it stands for the fitted one.
+  void stay() { unlikeliness_ = unlikeliness_as_it_is(); }
   /// How likely another model is: on everything and on the part that comes first.
   struct Rival {
     double everywhere = kNone;

@@ -105,6 +105,12 @@ bool is_doubtful(const AxisOutcome& outcome) {
   return is_left || outcome.diagnosis.found.size() >= kManyEffects;
 }
 
+/// What sets in late has bent the parameters that all of the recording was fitted with at first.
+bool sets_in_late(const AxisOutcome& outcome) {
+  const auto& found = outcome.diagnosis.found;
+  return std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.effect.onset_s > 0.0; });
+}
+
 /// What more than noise may be worth was dropped: it is there, and has no name.
 void keep_without_name(double deviance, AxisOutcome& outcome) {
   const double of_noise = kMostOfNoise * static_cast<double>(outcome.diagnosis.fit.signals().rows);
@@ -172,10 +178,13 @@ std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals
   const std::vector<AxisFit> starts = nominal_fits(AxisFit(axis, signals, datasheet));
   if (starts.front().unlikeliness() == 0.0) return std::nullopt;
   AxisOutcome outcome = outcome_from(starts.front(), starts.front(), options);
-  if (starts.size() > 1 && is_doubtful(outcome)) {
-    AxisOutcome other = outcome_from(starts.back(), starts.front(), options);
+  const auto try_from = [&](const AxisFit& start) {
+    AxisOutcome other = outcome_from(start, starts.front(), options);
     if (other.diagnosis.cost() < outcome.diagnosis.cost()) outcome = std::move(other);
-  }
+  };
+  if (starts.size() > 1 && is_doubtful(outcome)) try_from(starts.back());
+  if (is_doubtful(outcome) || sets_in_late(outcome))
+    if (const auto early = fit_of_beginning(outcome.diagnosis.fit)) try_from(*early);
   drop_what_needs_no_names(outcome);
   return outcome;
 }

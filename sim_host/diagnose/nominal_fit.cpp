@@ -85,4 +85,21 @@ std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   return {std::move(best)};
 }
 
+std::optional<AxisFit> fit_of_beginning(const AxisFit& fitted) {
+  constexpr double kMuchBetter = 0.1;  // deviance per row
+  const RecordingSignals beginning = beginning_of(fitted.signals(), fitted.signals().rows / 3);
+  const AxisFit start(fitted.axis(), beginning, fitted.datasheet());
+  AxisFit of_all = start;
+  of_all.model() = fitted.model();
+  of_all.set_whitening(fitted.whitening());
+  const std::vector<AxisFit> alone = nominal_fits(start);
+  const double gain = of_all.unlikeliness_as_it_is() - alone.front().unlikeliness();
+  if (!(gain > kMuchBetter * static_cast<double>(beginning.rows))) return std::nullopt;
+  AxisFit fit(fitted.axis(), fitted.signals(), fitted.datasheet());
+  fit.model() = alone.front().model();
+  fit.set_whitening(alone.front().whitening());
+  fit.stay();
+  return fit;
+}
+
 }  // namespace morepro::host

@@ -187,6 +187,22 @@ Stretch after(const RecordingSignals& signals, double from_s) {
   return {static_cast<std::size_t>(std::clamp(from_s * signals.rate_hz, 0.0, rows)), signals.rows};
 }
 
+RecordingSignals beginning_of(const RecordingSignals& signals, std::size_t rows) {
+  RecordingSignals beginning = signals;
+  beginning.rows = std::min(rows, signals.rows);
+  beginning.missing_rows = 0;
+  const auto cut = [&beginning](auto& column) { column.resize(std::min(column.size(), beginning.rows)); };
+  for (auto& column : beginning.value) cut(column);
+  cut(beginning.calm_tool_degc);
+  cut(beginning.calm_winding_degc);
+  cut(beginning.cutting_time_s);
+  cut(beginning.travelled_m);
+  cut(beginning.turned_rad);
+  for (std::size_t row = 0; row < beginning.rows; ++row)
+    if (is_missing(beginning, row)) ++beginning.missing_rows;
+  return beginning;
+}
+
 FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
                          Temperatures temperatures)
     : signals_(signals), row_(first), winding_degc_(kWindingDegc), temperatures_(temperatures) {

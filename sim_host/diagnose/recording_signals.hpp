@@ -63,6 +63,9 @@ std::vector<Stretch> quarter_of(const RecordingSignals& signals);
 /// What comes after a time, all of it for one before the start.
 Stretch after(const RecordingSignals& signals, double from_s);
 
+/// The first rows of a recording, by themselves.
+RecordingSignals beginning_of(const RecordingSignals& signals, std::size_t rows);
+
 /// Fills in the cutting time.
 void count_cutting_time(RecordingSignals& signals);
 
