@@ -144,6 +144,19 @@ TEST(SamplingChecks, TellLostRowsFromThoseThatChanceMakesEqual) {
   EXPECT_NEAR(fault->size, 1.0 / kLostEvery, 1.0e-3);
 }
 
+TEST(BeginningOf, HasItsRowsAndNoOthers) {
+  RecordingSignals signals = record(short_run({}));
+  constexpr std::size_t kRows = 3000;
+  for (auto& column : signals.value)
+    if (!column.empty()) column[100] = column[5000] = std::numeric_limits<float>::quiet_NaN();
+  const RecordingSignals beginning = beginning_of(signals, kRows);
+  EXPECT_EQ(beginning.rows, kRows);
+  EXPECT_EQ(beginning.missing_rows, 1U);
+  for (std::size_t c = 0; c < kChannelCount; ++c)
+    EXPECT_EQ(beginning.value[c].size(), signals.value[c].empty() ? 0U : kRows);
+  EXPECT_EQ(beginning_of(signals, 2 * signals.rows).rows, signals.rows);
+}
+
 TEST(Thinned, KeepsSamplesAndAveragesInputs) {
   RecordingSignals signals;
   signals.rate_hz = 1000.0;
