@@ -54,6 +54,12 @@ void begin_with_one_step(const AxisFit& start, AxisFit& best) {
   if (leaves_noise(fit) && fit.unlikeliness() < best.unlikeliness()) best = std::move(fit);
 }
 
+AxisFit with_model_of(const AxisFit& other, AxisFit fit) {
+  fit.model() = other.model();
+  fit.set_whitening(other.whitening());
+  return fit;
+}
+
 }  // namespace
 
 bool leaves_noise(const AxisFit& fit) {
@@ -89,15 +95,11 @@ std::optional<AxisFit> fit_of_beginning(const AxisFit& fitted) {
   constexpr double kMuchBetter = 0.1;  // deviance per row
   const RecordingSignals beginning = beginning_of(fitted.signals(), fitted.signals().rows / 3);
   const AxisFit start(fitted.axis(), beginning, fitted.datasheet());
-  AxisFit of_all = start;
-  of_all.model() = fitted.model();
-  of_all.set_whitening(fitted.whitening());
+  const AxisFit of_all = with_model_of(fitted, start);
   const std::vector<AxisFit> alone = nominal_fits(start);
   const double gain = of_all.unlikeliness_as_it_is() - alone.front().unlikeliness();
   if (!(gain > kMuchBetter * static_cast<double>(beginning.rows))) return std::nullopt;
-  AxisFit fit(fitted.axis(), fitted.signals(), fitted.datasheet());
-  fit.model() = alone.front().model();
-  fit.set_whitening(alone.front().whitening());
+  AxisFit fit = with_model_of(alone.front(), AxisFit(fitted.axis(), fitted.signals(), fitted.datasheet()));
   fit.stay();
   return fit;
 }

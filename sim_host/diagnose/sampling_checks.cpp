@@ -129,12 +129,11 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
 
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors) {
   constexpr double kLeastFraction = 5.0e-4;
-  const double repeated = leave_out_repeated_rows(signals, sensors);
-  std::size_t holes = 0;
+  std::size_t holes = 0;  // before rows that repeat others become holes, too
   for (const Channel channel : kNoisyChannels)
     if (signals.has(channel)) holes = std::max(holes, dropped(signals.value[index_of(channel)]));
-  const double fraction = std::max(static_cast<double>(holes), repeated) /
-                          static_cast<double>(std::max<std::size_t>(signals.rows, 1));
+  const double lost = static_cast<double>(holes) + leave_out_repeated_rows(signals, sensors);
+  const double fraction = lost / static_cast<double>(std::max<std::size_t>(signals.rows, 1));
   if (fraction < kLeastFraction || fraction > 0.9) return std::nullopt;
   const double error = std::sqrt(fraction * (1.0 - fraction) / static_cast<double>(signals.rows));
   return SamplingFault{gap::Effect::kSampleDropout, Channel::kSpindleSpeed, fraction, error, kCertain};

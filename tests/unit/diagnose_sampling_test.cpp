@@ -141,7 +141,8 @@ TEST(SamplingChecks, TellLostRowsFromThoseThatChanceMakesEqual) {
       if (!column.empty()) column[row] = column[row - 1];
   const auto fault = find_dropout(signals, with_ten_steps_of_noise());
   ASSERT_TRUE(fault.has_value());
-  EXPECT_NEAR(fault->size, 1.0 / kLostEvery, 1.0e-3);
+  // Chance makes 0.0008, known to a fifth.
+  EXPECT_NEAR(fault->size, 1.0 / kLostEvery, 4.0e-4);
 }
 
 TEST(BeginningOf, HasItsRowsAndNoOthers) {
