@@ -145,6 +145,20 @@ TEST(SamplingChecks, TellLostRowsFromThoseThatChanceMakesEqual) {
   EXPECT_NEAR(fault->size, 1.0 / kLostEvery, 4.0e-4);
 }
 
+TEST(SamplingChecks, TakeNoRowForLostInWhichACoarseSensorChanges) {
+  constexpr std::size_t kSameEvery = 100;
+  RecordingSignals signals = two_stepped_sensors(80000);
+  for (std::size_t row = kSameEvery; row < signals.rows; row += kSameEvery)
+    for (auto& column : signals.value)
+      if (!column.empty()) column[row] = column[row - 1];
+  signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(Channel::kFeedSpeed));
+  for (std::size_t row = 0; row < signals.rows; ++row)
+    signals.value[index_of(Channel::kFeedSpeed)].push_back(static_cast<float>(row));
+  Sensors sensors = with_ten_steps_of_noise();
+  sensors[Channel::kFeedSpeed] = {.noise = 1.0, .lsb = 1.0};
+  EXPECT_FALSE(find_dropout(signals, sensors).has_value());
+}
+
 TEST(BeginningOf, HasItsRowsAndNoOthers) {
   RecordingSignals signals = record(short_run({}));
   constexpr std::size_t kRows = 3000;
