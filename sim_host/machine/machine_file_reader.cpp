@@ -32,11 +32,9 @@ std::vector<std::string_view> keys_of(std::string_view table) {
   return names;
 }
 
-std::vector<std::string_view> sampled_columns() {
+std::vector<std::string_view> columns() {
   std::vector<std::string_view> names;
-  for (const ChannelInfo& info : kChannels) {
-    if (info.kind == ChannelKind::kSampled) names.push_back(info.column);
-  }
+  for (const ChannelInfo& info : kChannels) names.push_back(info.column);
   return names;
 }
 
@@ -170,7 +168,7 @@ class MachineFile {
 
   void read_sensors() {
     const toml::table* sensors = file_.table("sensors");
-    if (sensors != nullptr) file_.check_names(*sensors, sampled_columns(), "sensor", " of [sensors]");
+    if (sensors != nullptr) file_.check_names(*sensors, columns(), "sensor", " of [sensors]");
     for (std::size_t i = 0; i < kChannelCount; ++i) {
       const auto channel = static_cast<Channel>(i);
       const toml::node* node = sensors == nullptr ? nullptr : sensors->get(info_of(channel).column);
@@ -200,7 +198,7 @@ class MachineFile {
     }
     if (!(sensor.noise >= 0.0)) file_.refuse(name + ".noise", "is negative, which is impossible; correct it");
     if (!(sensor.lsb >= 0.0)) file_.refuse(name + ".lsb", "is negative, which is impossible; correct it");
-    if (!(sensor.variance() > 0.0))
+    if (info_of(channel).kind == ChannelKind::kSampled && !(sensor.variance() > 0.0))
       file_.refuse(name + ".noise", "is 0 and so is the lsb; no sensor is exact, give one of them");
   }
 

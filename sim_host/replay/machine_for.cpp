@@ -69,6 +69,16 @@ void note_assumed_noise(const MachineDescription& machine, const RecordingInfo& 
   }
 }
 
+// The models take an input as what acts. What it shakes beyond is estimated with the rest of the process noise.
+void note_unused_noise(const MachineDescription& machine, std::vector<std::string>& notices) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
+    const bool is_input = kChannels[i].kind == ChannelKind::kHeldInput;
+    if (!is_input || !(machine.configuration.sensors[static_cast<Channel>(i)].variance() > 0.0)) continue;
+    notices.push_back(fmt::format("machine '{0}': [sensors.{1}] is not used; {1} is an input, taken as it is",
+                                  machine.name, kChannels[i].column));
+  }
+}
+
 }  // namespace
 
 MachineDescription machine_for(const RecordingReader& recording, const std::string& name_or_path,
@@ -78,6 +88,7 @@ MachineDescription machine_for(const RecordingReader& recording, const std::stri
   const bool is_recorded_machine = name_or_path.empty() && recording.configuration().has_value();
   if (!is_recorded_machine) take_rate(machine, recording.info(), notices);
   note_assumed_noise(machine, recording.info(), notices);
+  note_unused_noise(machine, notices);
   return machine;
 }
 

@@ -175,7 +175,6 @@ CORPUS = {
     "unknown key": (GOOD.replace("mass_kg", "colour"), "line 11, column 1", "'colour'"),
     "unknown table": (GOOD + "[spindel]\n", f"line {LINES + 1}", "'spindel'", "'spindle'"),
     "unknown sensor": (GOOD + "[sensors.speed]\nnoise = 1\n", f"line {LINES + 1}", "'speed'"),
-    "sensor of an input": (GOOD + "[sensors.feed_force_n]\nnoise = 1\n", f"line {LINES + 1}", "'feed_force_n'"),
     "table is a number": ("spindle = 3\n", "line 1", "no table"),
     "sensor is a number": (GOOD.replace("[sensors.armature_current_a]\nnoise", "[sensors]\narmature_current_a"), "line 41",
                            "no table"),

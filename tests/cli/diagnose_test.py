@@ -102,6 +102,13 @@ class Verdicts(Diagnose):
         self.assertEqual(self.names(self.diagnose()), ["spindle_windage"])
         self.assertNotIn("spindle_windage", self.names(self.diagnose("--exclude", "spindle_windage")))
 
+    def test_the_step_of_an_input_is_no_error_and_not_silent(self):
+        self.simulate("--machine-out", "right.toml", duration=1)
+        self.write("right.toml", (self.folder / "right.toml").read_text() +
+                   "\n[sensors.feed_force_n]\nnoise = 0\nlsb = 0.2\n")
+        done = self.must_do("diagnose", "run.csv", "--machine", "right.toml", "--bootstrap", 0)
+        self.assertIn("[sensors.feed_force_n] is not used", done.stderr)
+
     def test_lost_rows_are_named_with_their_share(self):
         self.simulate("--effect", "sample_dropout=0.05")
         result = self.diagnose()

@@ -44,6 +44,19 @@ TEST(MachineFile, GivesBackEveryValueThatWasWritten) {
   }
 }
 
+// Who measures an input says how, too.
+TEST(MachineFile, KeepsTheStepOfAnInput) {
+  MachineDescription written = built_in_machine("reference");
+  written.configuration.sensors[Channel::kArmatureVoltage] = {0.0, 0.01};
+  const MachineDescription machine = read(machine_file_text(written));
+  EXPECT_EQ(machine.configuration.sensors[Channel::kArmatureVoltage].lsb, 0.01);
+}
+
+TEST(MachineFile, TakesAnInputForExact) {
+  const std::string text = machine_file_text(built_in_machine("reference"));
+  EXPECT_NO_THROW(read(text + "\n[sensors.feed_force_n]\nnoise = 0\n"));
+}
+
 TEST(MachineFile, ChoosesTheBuiltInMachinesOwnGrids) {
   for (const char* name : {"reference", "thesis"}) {
     const HypothesisGrid built_in = built_in_machine(name).configuration.grid;
