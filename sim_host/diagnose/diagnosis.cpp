@@ -16,6 +16,7 @@
 #include "sim_host/diagnose/clock_jitter.hpp"
 #include "sim_host/diagnose/current_drive.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
+#include "sim_host/diagnose/lone_samples.hpp"
 #include "sim_host/diagnose/model_comparison.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/diagnose/parameter_report.hpp"
@@ -62,6 +63,8 @@ class Diagnosis {
       result_.notices.push_back(std::move(lack));
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
+    for (const LoneSamples& lone : leave_out_lone_samples(signals_, sensors))
+      result_.notices.push_back(sentence_of(lone));
     calm_temperatures(signals_);
     follow_motion(signals_);
     datasheet_ = {.machine = machine_.configuration.machine,
@@ -79,6 +82,13 @@ class Diagnosis {
     reconsider();
     result_.explanation = explanation();
     watch_like_a_board();
+  }
+
+  std::string sentence_of(const LoneSamples& lone) const {
+    return fmt::format(
+        "{}: {} sample{} alone, up to {:.0f} standard deviations away, the first at {:.4f} s; left out",
+        kChannels[index_of(lone.channel)].column, lone.count, lone.count == 1 ? " stands" : "s stand",
+        lone.farthest, signals_.start_s + signals_.time_s(lone.first_row));
   }
 
   [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }

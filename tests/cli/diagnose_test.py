@@ -102,6 +102,22 @@ class Verdicts(Diagnose):
         self.assertEqual(self.names(self.diagnose()), ["spindle_windage"])
         self.assertNotIn("spindle_windage", self.names(self.diagnose("--exclude", "spindle_windage")))
 
+    def test_samples_that_stand_alone_are_left_out_and_said(self):
+        self.simulate("--effect", "feed_coulomb_friction=4", duration=3)
+        lines = (self.folder / "run.csv").read_text().splitlines()
+        head = next(i for i, line in enumerate(lines) if line.startswith("time_s"))
+        column = lines[head].split(",").index("feed_position_m")
+        for row in (head + 5001, head + 12001, head + 20001):
+            cells = lines[row].split(",")
+            cells[column] = str(float(cells[column]) + 0.002)
+            lines[row] = ",".join(cells)
+        self.write("run.csv", "\n".join(lines) + "\n")
+        done = self.must_do("diagnose", "run.csv", "--bootstrap", 0, "--json", "out.json")
+        self.assertIn("feed_position_m: 3 samples stand alone", done.stderr)
+        self.assertIn("the first at 0.5000 s", done.stderr)
+        result = json.loads((self.folder / "out.json").read_text())
+        self.assertEqual(self.names(result), ["feed_coulomb_friction"])
+
     def test_the_step_of_an_input_is_no_error_and_not_silent(self):
         self.simulate("--machine-out", "right.toml", duration=1)
         self.write("right.toml", (self.folder / "right.toml").read_text() +
