@@ -56,6 +56,20 @@ TEST(LoneSamples, AreNoStepsAndNoKinks) {
   EXPECT_TRUE(leave_out_lone_samples(signals, reference_sensors()).empty());
 }
 
+// A voltage of one sample drives a current of one or two.
+TEST(LoneSamples, AreNotWhatAnInputDrives) {
+  RecordingSignals signals = record({.effects = {}, .duration_s = 1.0});
+  for (std::size_t row = 5000; row < 5100; ++row) {
+    column_of(signals, Channel::kArmatureVoltage)[row] = 20.0F;
+    column_of(signals, Channel::kArmatureCurrent)[row] = 1.0F;
+  }
+  column_of(signals, Channel::kArmatureCurrent)[5050] += 10.0F;
+  RecordingSignals driven = signals;
+  column_of(driven, Channel::kArmatureVoltage)[5049] += 8.0F;
+  EXPECT_EQ(leave_out_lone_samples(signals, reference_sensors()).size(), 1U);
+  EXPECT_TRUE(leave_out_lone_samples(driven, reference_sensors()).empty());
+}
+
 // What shakes a speed for a moment makes some samples that look alone, by chance.
 TEST(LoneSamples, AreNoneAmongManyThatMove) {
   RecordingSignals signals = record({.effects = {}, .duration_s = 1.0});
