@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "lib/gap/effect_memory.hpp"
 #include "lib/plant/contact_law.hpp"
 #include "sim_host/diagnose/innovation_pass.hpp"
 
@@ -128,8 +129,11 @@ class Increments {
       balances.back().known = known_of_voltage(fit_);
       balances.back().nominal = known_of_voltage(nominal_);
     }
+    gap::Lag<double> winding(machine_.spindle.inductance_h / machine_.spindle.resistance_ohm, step_s_);
     for_each_row([&](Eigen::Index i, const Moment&, const Moment& here, const Moment& next) {
-      balances.front().columns.row(i) = torque(here, next, has_current);
+      const double voltage_v = winding.mean(here.frame.input.armature_voltage_v);
+      balances.front().columns.row(i) =
+          torque(here, next, has_current ? std::nullopt : std::optional(voltage_v));
       if (signals_.has_electrics()) balances.back().columns.row(i) = voltage(here, next);
     });
     return balances;
@@ -233,9 +237,10 @@ class Increments {
            machine_.feed.mass_kg;
   }
 
-  [[nodiscard]] Row<5> torque(const Moment& now, const Moment& then, bool has_current) const {
-    const double drive = has_current ? electrical(now.current(), then.current())
-                                     : step_s_ * now.frame.input.armature_voltage_v;
+  /// `voltage_v`: without a current, what of the voltage the winding lets through.
+  [[nodiscard]] Row<5> torque(const Moment& now, const Moment& then, std::optional<double> voltage_v) const {
+    const bool has_current = !voltage_v;
+    const double drive = has_current ? electrical(now.current(), then.current()) : step_s_ * *voltage_v;
     return row({drive, mean(now.speed(), then.speed()), contact(now, then),
                 on_torque(&Moment::found, now, then, has_current),
                 then.speed() - now.speed() - on_torque(&Moment::known, now, then, has_current)});

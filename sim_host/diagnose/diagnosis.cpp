@@ -290,14 +290,22 @@ class Diagnosis {
     if (!result_.which.empty()) share_closed(gaps, unnamed, options_.seed, result_.shrinkage);
   }
 
+  /// Without a current, all that acts on the spindle shows in the balance of its torque.
+  [[nodiscard]] std::optional<gap::Balance> balance_shown_by(gap::EffectGroup group) const {
+    if (group == gap::EffectGroup::kSensor) return std::nullopt;
+    const auto balance = static_cast<gap::Balance>(group);
+    const bool is_hidden = balance == gap::Balance::kArmatureVoltage && !signals_.has_electrics();
+    return is_hidden ? gap::Balance::kSpindleTorque : balance;
+  }
+
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
     if (!balance.is_evaluated) return;
     for (const SamplingFault& fault : faults_)
-      balance.is_significant |= balance.balance == balance_shown_by(fault.channel);
+      balance.is_significant |= balance.balance == host::balance_shown_by(fault.channel);
     bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
       const auto group = gap::info_of(finding.effect.form.effect).group;
-      const bool is_here = static_cast<std::size_t>(group) == static_cast<std::size_t>(balance.balance);
+      const bool is_here = balance_shown_by(group) == balance.balance;
       const bool is_sensor = group == gap::EffectGroup::kSensor;
       if (!is_here && !is_sensor) continue;
       balance.is_significant |= is_here || balance.residual_ratio > kVisible * balance.residual_ratio_after;

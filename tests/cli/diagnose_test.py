@@ -213,6 +213,19 @@ class HalfAMachine(Diagnose):
         self.keep_columns(*SPINDLE, "contact", "chip_load_mm", "tool_temperature_degc")
         self.assertEqual(self.diagnose(recording="part.csv")["which"], [])
 
+    def test_a_gap_without_a_current_sensor_is_the_torques_and_closes(self):
+        # The winding lets a voltage through late; where its current is not recorded that is no gap.
+        self.simulate("--effect", "supply_voltage_offset=0.5", "--datasheet-error", 0.1, "--machine-out", "wrong.toml",
+                      profile="commissioning")
+        self.keep_columns(*SPINDLE, "contact", "chip_load_mm", "tool_temperature_degc")
+        result = self.diagnose("--machine", "wrong.toml", recording="part.csv")
+        self.assertIn("supply_voltage_offset", result["which"][0]["alias_set"])
+        torque = next(b for b in result["where"] if b["balance"] == "spindle_torque")
+        self.assertGreater(torque["residual_ratio"], 2.0)
+        self.assertLess(torque["residual_ratio_after"], 1.2)
+        self.assertGreater(result["shrinkage"]["share_closed"], 0.9)
+        self.assertTrue(torque["significant"])
+
     def test_a_spindle_without_its_voltage_is_driven_by_its_current(self):
         self.simulate("--effect", "tool_wear_ramp=0.02", "--datasheet-error", 0.1, "--machine-out", "wrong.toml")
         self.keep_columns(*DRIVE)
