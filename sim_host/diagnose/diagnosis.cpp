@@ -219,10 +219,22 @@ class Diagnosis {
                        [effect](const EffectResult& e) { return e.effect == effect; });
   }
 
+  /// Pieces that were not fitted to have the last word on whether names explain the gap.
   void reconsider() {
-    is_closed_ = is_unexplained() && is_nearly_closed(result_.shrinkage);
-    if (is_closed_) result_.verdict = Verdict::kEffect;
-    if (is_closed_) rank();
+    const bool is_closed = is_unexplained() && is_nearly_closed(result_.shrinkage);
+    const bool is_left = result_.verdict == Verdict::kEffect && faults_.empty() && !has_chaotic_effect() &&
+                         is_hardly_closed(result_.shrinkage, result_.where);
+    is_judged_by_share_ = is_closed || is_left;
+    if (!is_judged_by_share_) return;
+    result_.verdict = is_closed ? Verdict::kEffect : Verdict::kUnexplained;
+    result_.unexplained_share = 1.0 - result_.shrinkage.share_closed;
+    rank();
+  }
+
+  /// On which side of a play a slide is, no model knows for long: its size can be right and the gap stay.
+  [[nodiscard]] bool has_chaotic_effect() const {
+    return std::any_of(result_.which.begin(), result_.which.end(),
+                       [](const EffectResult& e) { return e.effect == Effect::kFeedBacklash; });
   }
 
   void rank() {
@@ -246,9 +258,9 @@ class Diagnosis {
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
     const AxisFit& fit = outcome.diagnosis.fit;
     const double all = excess_of(outcome.unnamed_deviance() + outcome.named_deviance());
-    const double unnamed = is_closed_  ? 1.0 - result_.shrinkage.share_closed
-                           : all > 0.0 ? excess_of(outcome.unnamed_deviance()) / all
-                                       : 0.0;
+    const double unnamed = is_judged_by_share_ ? 1.0 - result_.shrinkage.share_closed
+                           : all > 0.0         ? excess_of(outcome.unnamed_deviance()) / all
+                                               : 0.0;
     const double temperature = outcome.chance.temperature;
     EffectResult effect = named_effect(
         finding, fit, {temperature, outcome.threshold(), unnamed, causes_of(outcome.diagnosis.found)});
@@ -388,7 +400,7 @@ class Diagnosis {
   GapModel datasheet_;
   std::vector<SamplingFault> faults_;
   std::vector<AxisOutcome> outcomes_;
-  bool is_closed_ = false;  ///< the gap, by names that leave some of the evidence
+  bool is_judged_by_share_ = false;  ///< the gap, by names that leave some of the evidence
   DiagnosisResult result_;
 };
 

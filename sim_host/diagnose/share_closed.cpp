@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "sim_host/simulate/random_numbers.hpp"
 
@@ -30,6 +31,17 @@ double share_of(std::span<const BalanceRows> balances, std::span<const double> f
     }
   }
   return open > 0.0 ? std::clamp(closed / open, -1.0, 1.0) : 0.0;
+}
+
+/// Of what the refitted model predicts worse than noise lets, how much is gone with the effects; all of it
+/// where nothing was to be gained.
+double share_predicted(const std::optional<ModelComparison>& models) {
+  if (!models) return 1.0;
+  const auto excess = [&models](const ModelError& error) {
+    return error.value * error.value - models->noise_floor * models->noise_floor;
+  };
+  const double before = excess(models->refit);
+  return before > 0.0 ? 1.0 - excess(models->with_effect) / before : 1.0;
 }
 
 }  // namespace
@@ -69,6 +81,17 @@ void share_closed(std::span<const BalanceRows> balances, std::span<const Unnamed
   const double lowest_share = (1.0 - kLargestMisfit) * low[kDraws / 20];
   shrinkage.interval90 = {std::min(lowest_share, shrinkage.share_closed),
                           std::max(high[kDraws - 1 - kDraws / 20], shrinkage.share_closed)};
+}
+
+bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult> where) {
+  constexpr double kClosed = 0.7;
+  constexpr double kPredicted = 0.5;
+  constexpr double kVisible = 1.15;  // residual ratio
+  const auto shows_much = [&](const BalanceResult& balance) {
+    return balance.is_significant && balance.residual_ratio_after > kVisible &&
+           share_predicted(shrinkage.one_step_nrmse[static_cast<std::size_t>(balance.balance)]) < kPredicted;
+  };
+  return shrinkage.interval90[1] < kClosed && std::any_of(where.begin(), where.end(), shows_much);
 }
 
 }  // namespace morepro::host

@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include "sim_host/diagnose/share_closed.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr auto kFeed = static_cast<std::size_t>(gap::Balance::kFeedForce);
+
+BalanceResult balance(double ratio_after) {
+  return {.balance = gap::Balance::kFeedForce,
+          .is_evaluated = true,
+          .residual_ratio = 8.0,
+          .residual_ratio_after = ratio_after,
+          .is_significant = true};
+}
+
+/// Shares of the gap closed up to `most`; errors of the refitted model and of that with effects, in noise
+/// floors.
+Shrinkage shrinkage(double most, double refit, double with_effect) {
+  Shrinkage result;
+  result.share_closed = 0.9 * most;
+  result.interval90 = {0.5 * most, most};
+  result.one_step_nrmse[kFeed] =
+      ModelComparison{.datasheet = {9.0}, .refit = {refit}, .with_effect = {with_effect}, .noise_floor = 1.0};
+  return result;
+}
+
+TEST(HardlyClosed, IsAGapOfWhichNamesTakeAHalf) {
+  EXPECT_TRUE(is_hardly_closed(shrinkage(0.67, 4.7, 5.6), std::array{balance(4.2)}));
+  EXPECT_TRUE(is_hardly_closed(shrinkage(0.56, 4.4, 4.2), std::array{balance(1.23)}));
+}
+
+TEST(HardlyClosed, IsNoGapThatIsMostlyGone) {
+  EXPECT_FALSE(is_hardly_closed(shrinkage(0.83, 1.12, 1.07), std::array{balance(1.32)}));
+}
+
+TEST(HardlyClosed, IsNoGapThatAModelWithThePartsPredicts) {
+  EXPECT_FALSE(is_hardly_closed(shrinkage(0.67, 4.7, 1.5), std::array{balance(4.2)}));
+  EXPECT_FALSE(is_hardly_closed(shrinkage(0.67, 1.0, 1.0), std::array{balance(4.2)}));
+}
+
+TEST(HardlyClosed, IsNoGapThatNoBalanceShows) {
+  EXPECT_FALSE(is_hardly_closed(shrinkage(0.0, 4.7, 5.6), std::array{balance(1.05)}));
+  BalanceResult unmarked = balance(4.2);
+  unmarked.is_significant = false;
+  EXPECT_FALSE(is_hardly_closed(shrinkage(0.0, 4.7, 5.6), std::array{unmarked}));
+}
+
+}  // namespace
+}  // namespace morepro::host
