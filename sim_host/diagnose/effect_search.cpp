@@ -97,6 +97,22 @@ LateStart best_growing_start(const AxisFit& axis, gap::EffectForm form) {
   return best;
 }
 
+/// Blocks tell an onset to a quarter of a second. An effect that begins so much too late leaves a disturbance
+/// that parameters and process noise would be fitted to.
+void place_onset(const AxisFit& axis, Candidate& candidate) {
+  constexpr double kBeforeS = 1.0;
+  constexpr int kSteps = 8;
+  AxisFit late = axis;
+  late.look_at_the_end(candidate.onset_s - kBeforeS);
+  LateStart best;
+  best.onset_s = candidate.onset_s;
+  for (double step_s = kBlockS / kSteps; step_s > 0.5 / axis.signals().rate_hz; step_s /= kSteps)
+    try_starts(late, candidate.form, step_s, kSteps, best);
+  if (!(best.rss_without > 0.0) || !(best.onset_s > 0.0)) return;
+  candidate.onset_s = best.onset_s;
+  candidate.coefficient.assign(best.coefficient.begin(), best.coefficient.end());
+}
+
 }  // namespace
 
 std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics& statistics,
@@ -160,6 +176,7 @@ void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vecto
 
 Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   Candidate finest = candidate;
+  if (candidate.onset_s > 0.0 && !grows(candidate.form.effect)) place_onset(axis, finest);
   if (!has_shape(candidate.form)) return finest;
   AxisFit part = axis;
   part.narrow_down();
@@ -170,7 +187,7 @@ Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   if (is_pure_shape) centre *= std::clamp(candidate.coefficient[0], 0.1, 4.0);
   for (const double spread : {2.0, 1.2}) {
     const auto forms = around(candidate.form, centre, spread);
-    const std::vector<double> onset_s(forms.size(), candidate.onset_s);
+    const std::vector<double> onset_s(forms.size(), finest.onset_s);
     take_best(part, part.collect_with_each({forms, onset_s}), forms, finest);
     centre = static_cast<double>(finest.form.shape);
   }

@@ -24,8 +24,8 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
 /// Lets every candidate set in later where that takes more than chance makes it; most evidence first again.
 void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vector<Candidate>& ranked);
 
-/// The same with the shape between the grid's that takes most of a part of the recording. The effect is not
-/// in the model yet.
+/// The same with the onset within its block, and the shape between the grid's, that take most of a part of
+/// the recording. The effect is not in the model yet.
 Candidate refined(const AxisFit& axis, const Candidate& candidate);
 
 }  // namespace morepro::host

@@ -97,6 +97,17 @@ class Verdicts(Diagnose):
         result = self.diagnose()
         self.assertEqual(self.names(result)[0], "current_bias")
 
+    def test_what_sets_in_late_keeps_its_size_beside_a_wrong_datasheet(self):
+        # Known to a block of a quarter of a second only, the onset left a disturbance of 0.1 s, which bent the
+        # parameters until nothing was left of the size.
+        self.simulate("--effect", "supply_voltage_offset=2.8,from=2.4", "--process-noise", 0.1, "--datasheet-error", 0.25,
+                      "--seed", 2, "--machine-out", "wrong.toml", profile="production")
+        result = self.diagnose("--machine", "wrong.toml")
+        self.assertEqual(self.names(result), ["supply_voltage_offset"])
+        self.assertAlmostEqual(result["which"][0]["magnitude"], 2.8, delta=0.05)
+        voltage = next(b for b in result["where"] if b["balance"] == "armature_voltage")
+        self.assertAlmostEqual(voltage["onset_s"], 2.4, delta=0.01)
+
     def test_an_effect_out_of_the_catalogue_is_not_named(self):
         self.simulate("--effect", "spindle_windage=1e-6")
         self.assertEqual(self.names(self.diagnose()), ["spindle_windage"])
