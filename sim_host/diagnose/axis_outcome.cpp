@@ -8,6 +8,7 @@
 #include "sim_host/diagnose/effect_naming.hpp"
 #include "sim_host/diagnose/name_checks.hpp"
 #include "sim_host/diagnose/nominal_fit.hpp"
+#include "sim_host/diagnose/surprises.hpp"
 #include "sim_host/diagnose/white_innovations.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -95,14 +96,15 @@ AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const Dia
   return outcome;
 }
 
-/// A good deal is left, or it took many effects: perhaps the parameters that the search began with were not
-/// the right ones.
+/// A good deal is left or surprises, or it took many effects: perhaps the parameters that the search began
+/// with were not the right ones.
 bool is_doubtful(const AxisOutcome& outcome) {
   constexpr double kGoodDeal = 0.1;  // of everything, in deviance
   const double left = outcome.leftover.gain;
   const bool is_left =
       left >= outcome.least_unnamed() && left > kGoodDeal * (left + outcome.named_deviance());
-  return is_left || outcome.diagnosis.found.size() >= kManyEffects;
+  return is_left || outcome.diagnosis.found.size() >= kManyEffects ||
+         surprises_of(outcome.diagnosis.fit).share > kMostSurprising;
 }
 
 /// What sets in late has bent the parameters that all of the recording was fitted with at first.
@@ -119,6 +121,13 @@ void keep_without_name(double deviance, AxisOutcome& outcome) {
   outcome.leftover.gain = deviance;
 }
 
+/// What no model of noise expects is there, whether a function without a name follows it or not.
+void keep_surprises(AxisOutcome& outcome) {
+  const Surprises surprises = surprises_of(outcome.diagnosis.fit);
+  if (outcome.diagnosis.found.empty() && surprises.share > kMostSurprising)
+    keep_without_name(surprises.deviance, outcome);
+}
+
 void conclude(AxisOutcome& outcome, double noise_evidence) {
   AxisDiagnosis& diagnosis = outcome.diagnosis;
   const bool is_lasting = outcome.noise_evidence > 0.0 && !diagnosis.fit.signals().is_thinned;
@@ -132,6 +141,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   if (drop_what_input_news_explain(diagnosis))
     outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
   drop_what_no_balance_shows(diagnosis);
+  keep_surprises(outcome);
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();
   diagnosis.fit.attribute_load();
   diagnosis.nominal.attribute_load();

@@ -88,7 +88,7 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
   constexpr double kPredicted = 0.5;
   constexpr double kVisible = 1.15;  // residual ratio
   const auto shows_much = [&](const BalanceResult& balance) {
-    return balance.is_significant && balance.residual_ratio_after > kVisible &&
+    return balance.residual_ratio_after > kVisible &&
            share_predicted(shrinkage.one_step_nrmse[static_cast<std::size_t>(balance.balance)]) < kPredicted;
   };
   return shrinkage.interval90[1] < kClosed && std::any_of(where.begin(), where.end(), shows_much);

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import random
 import unittest
 
 from program import ProgramTest
@@ -108,6 +109,15 @@ class Verdicts(Diagnose):
         voltage = next(b for b in result["where"] if b["balance"] == "armature_voltage")
         self.assertAlmostEqual(voltage["onset_s"], 2.4, delta=0.01)
 
+    def test_what_sets_in_late_does_not_pass_for_noise(self):
+        # Fitted with process noise, all of the recording looked like a wrong datasheet, with rows far beyond
+        # what any noise makes: the time before the onset has to be looked at by itself.
+        self.simulate("--effect", "supply_voltage_offset=2.8,from=2.4", "--process-noise", 0.3, "--datasheet-error", 0.25,
+                      "--seed", 2, "--machine-out", "wrong.toml", profile="production")
+        result = self.diagnose("--machine", "wrong.toml")
+        self.assertEqual(self.names(result), ["supply_voltage_offset"])
+        self.assertAlmostEqual(result["which"][0]["magnitude"], 2.8, delta=0.05)
+
     def test_an_effect_out_of_the_catalogue_is_not_named(self):
         self.simulate("--effect", "spindle_windage=1e-6")
         self.assertEqual(self.names(self.diagnose()), ["spindle_windage"])
@@ -128,6 +138,20 @@ class Verdicts(Diagnose):
         self.assertIn("the first at 0.5000 s", done.stderr)
         result = json.loads((self.folder / "out.json").read_text())
         self.assertEqual(self.names(result), ["feed_coulomb_friction"])
+
+    def test_a_sensor_that_is_off_now_and_then_is_no_health(self):
+        self.simulate(duration=4)
+        lines = (self.folder / "run.csv").read_text().splitlines()
+        head = next(i for i, line in enumerate(lines) if line.startswith("time_s"))
+        column = lines[head].split(",").index("spindle_speed_rad_s")
+        places = random.Random(1)
+        for first in [places.randrange(head + 1, len(lines) - 20) for _ in range(40)]:
+            for row in range(first, first + 20):
+                cells = lines[row].split(",")
+                cells[column] = str(float(cells[column]) + 30.0)
+                lines[row] = ",".join(cells)
+        self.write("run.csv", "\n".join(lines) + "\n")
+        self.assertEqual(self.diagnose()["verdict"], "unexplained")
 
     def test_the_step_of_an_input_is_no_error_and_not_silent(self):
         self.simulate("--machine-out", "right.toml", duration=1)

@@ -11,8 +11,7 @@ BalanceResult balance(double ratio_after) {
   return {.balance = gap::Balance::kFeedForce,
           .is_evaluated = true,
           .residual_ratio = 8.0,
-          .residual_ratio_after = ratio_after,
-          .is_significant = true};
+          .residual_ratio_after = ratio_after};
 }
 
 /// Shares of the gap closed up to `most`; errors of the refitted model and of that with effects, in noise
@@ -42,9 +41,6 @@ TEST(HardlyClosed, IsNoGapThatAModelWithThePartsPredicts) {
 
 TEST(HardlyClosed, IsNoGapThatNoBalanceShows) {
   EXPECT_FALSE(is_hardly_closed(shrinkage(0.0, 4.7, 5.6), std::array{balance(1.05)}));
-  BalanceResult unmarked = balance(4.2);
-  unmarked.is_significant = false;
-  EXPECT_FALSE(is_hardly_closed(shrinkage(0.0, 4.7, 5.6), std::array{unmarked}));
 }
 
 }  // namespace
