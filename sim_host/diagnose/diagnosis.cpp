@@ -167,6 +167,7 @@ class Diagnosis {
     double known = 0.0;
     double unnamed = 0.0;
     double deviance = 0.0;  // of what is unnamed
+    std::size_t causes = 0;
     bool has_wrong_parameters = false;
     bool has_excitation = false;
     for (const AxisOutcome& outcome : outcomes_) {
@@ -178,6 +179,7 @@ class Diagnosis {
       result_.unexplained_evidence += outcome.leftover.gain;
       named += excess_of(leftover + outcome.named_deviance()) - excess_of(leftover);
       known += excess_of(std::max(outcome.diagnosis.known_evidence, 0.0));
+      causes = std::max(causes, causes_of(outcome.diagnosis.found));
       has_wrong_parameters |= outcome.is_datasheet_wrong;
       has_excitation |= is_excited(outcome.diagnosis.fit);
     }
@@ -187,7 +189,7 @@ class Diagnosis {
     if (deviance < structure_left_by(faults_) * static_cast<double>(signals_.rows)) unnamed = 0.0;
     if (outcomes_.empty() || !has_excitation)
       result_.verdict = Verdict::kInsufficientExcitation;
-    else if (unnamed > kUnexplainedShare * (known + named + unnamed))
+    else if (unnamed > most_unnamed(causes) * (known + named + unnamed))
       result_.verdict = Verdict::kUnexplained;
     else if (has_effect)
       result_.verdict = Verdict::kEffect;

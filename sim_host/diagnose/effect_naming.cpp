@@ -30,7 +30,6 @@ constexpr std::size_t kMostAliases = 3;
 constexpr double kAliasShare = 0.4;
 // Three and more independent causes at once are rarer than one that has no name and looks like them: on
 // tests/blind half of the names are right then.
-constexpr std::size_t kUsualCauses = 2;
 constexpr double kCrowded = 0.5;
 // What a sensor or a flux does that wanders by itself, laws of what was measured follow for a while: of
 // eleven names that kept this little beside noise that may last five were right.
@@ -111,7 +110,7 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
       effect.alias_set.push_back(rival.form.effect);
   }
   effect.confidence = kBestRecord * (1.0 - context.unnamed_share) / sum;
-  if (context.unnamed_share > kUnexplainedShare) effect.confidence *= kBesideUnexplained;
+  if (context.unnamed_share > most_unnamed(context.causes)) effect.confidence *= kBesideUnexplained;
   if (context.causes > kUsualCauses) effect.confidence *= kCrowded;
   if (finding.kept < kUsuallyKept) effect.confidence *= kWandering;
   return effect;

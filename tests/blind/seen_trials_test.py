@@ -34,6 +34,11 @@ class SeenTrials(unittest.TestCase):
         self.assertEqual(trial.label["effects"][0]["name"], "contact_memory")
         self.assertEqual(trial.verdict, "unexplained")
 
+    def test_three_causes_that_leave_a_seventh_are_none(self):
+        trial = self.trial(79, 600)
+        self.assertEqual(trial.label["effects"][0]["name"], "bump_in_the_way")
+        self.assertEqual(trial.verdict, "unexplained")
+
     def test_what_an_effect_of_another_shape_leaves_is_not_taken_for_noise(self):
         trial = self.trial(41, 485)
         self.assertEqual(trial.truths, ["feed_screw_periodic"])
