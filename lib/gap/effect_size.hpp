@@ -82,8 +82,10 @@ inline double size_of(const AppliedEffect& one, const EffectScales<double>& scal
     return frequency_rad_s * frequency_rad_s * scales.inertia_kgm2 * ratio / ((1.0 + ratio) * (1.0 + ratio));
   }
   if (one.form.parts == 1 || bends(one.form.effect)) return one.coefficient[0];
+  // An encoder that is not round is no more eccentric for it.
+  const std::size_t counted = one.form.effect == Effect::kEncoderEccentricity ? 2 : one.form.parts;
   double power = 0.0;
-  for (std::size_t i = 0; i < one.form.parts; ++i) power += one.coefficient[i] * one.coefficient[i];
+  for (std::size_t i = 0; i < counted; ++i) power += one.coefficient[i] * one.coefficient[i];
   return math::sqrt(power);
 }
 

@@ -113,7 +113,9 @@ void add_spindle_sensors(Forms& forms, const RecordingSignals& signals, double s
   forms.add(Effect::kSpindleSpeedBias);
   forms.add(Effect::kSpindleSpeedDelay, delays);
   forms.add(Effect::kSpindleSpeedBandwidth, delays);
+  // A disc that is not round beside its bearing: once and twice a turn.
   forms.add(Effect::kEncoderEccentricity, 2);
+  forms.add(Effect::kEncoderEccentricity, 4);
   if (!signals.has(Channel::kArmatureCurrent)) return;
   forms.add(Effect::kCurrentBias);
   // Of a current that nothing predicts, how late it is shown is what acts later: a shaft, a lag of the speed.

@@ -47,6 +47,12 @@ TEST(EffectSize, OfSineAndCosineIsTheAmplitude) {
   EXPECT_NEAR(size_of(cogging, scales()), 0.5, 1e-15);
 }
 
+TEST(EffectSize, OfAnEccentricityIsThatOnceATurn) {
+  AppliedEffect one{.form = {.effect = Effect::kEncoderEccentricity, .parts = 4},
+                    .coefficient = {0.3, -0.4, 0.2, 0.1}};
+  EXPECT_NEAR(size_of(one, scales()), 0.5, 1e-15);
+}
+
 TEST(EffectSize, OfAShaftIsTheStiffnessBetweenAnyTwoMasses) {
   // k = W^2 J1 J2 / (J1 + J2), here with J2 = 3 J1 and a resonance of 100 Hz.
   const double inertia = reference_machine().spindle.inertia_kgm2;
