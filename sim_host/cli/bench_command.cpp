@@ -13,10 +13,10 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kWords =
+constexpr const char* kBenchWords =
     "Instructions, flash, RAM and stack of a board: python3 tests/budget/board_table.py";
 
-constexpr const char* kExamples =
+constexpr const char* kBenchExamples =
     "  morepro bench --seconds 0.05\n"
     "  morepro bench --seconds 0.05 --json bench.json";
 
@@ -74,7 +74,7 @@ void add_bench(CLI::App& program) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command =
       program.add_subcommand("bench", "time and memory of each part of the monitor on this machine");
-  add_examples(*command, kWords, kExamples);
+  add_examples(*command, kBenchWords, kBenchExamples);
   command->add_option("--seconds", arguments->seconds, "for each unit")
       ->check(between(0.01, 60.0, "s"))
       ->capture_default_str();

@@ -12,10 +12,10 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kWords =
+constexpr const char* kCompletionWords =
     "For every shell that is opened: the line below in ~/.bashrc; for zsh with 'zsh' in ~/.zshrc.";
 
-constexpr const char* kExamples = "  source <(morepro completion bash)";
+constexpr const char* kCompletionExamples = "  source <(morepro completion bash)";
 
 std::string effect_names() {
   std::vector<std::string_view> names;
@@ -108,7 +108,7 @@ void add_completion(CLI::App& program) {
   auto shell = std::make_shared<std::string>();
   CLI::App* command = program.add_subcommand(
       "completion", "print a script that completes commands, options and names in a shell");
-  add_examples(*command, kWords, kExamples);
+  add_examples(*command, kCompletionWords, kCompletionExamples);
   command->add_option("shell", *shell, "bash or zsh")->required()->check(one_of({"bash", "zsh"}));
   command->callback([shell, &program] {
     if (*shell == "zsh")

@@ -10,7 +10,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kConfigExamples =
     "  morepro config > machine.toml\n"
     "  morepro config --machine thesis --out thesis.toml\n"
     "  morepro simulate --machine machine.toml --duration 1 --out run.csv";
@@ -37,7 +37,7 @@ void add_config(CLI::App& program) {
   command->add_option("--machine", arguments->machine, "'reference', 'thesis' or a machine file")
       ->capture_default_str();
   command->add_option("--out", arguments->out, "file to write; '-': standard output")->capture_default_str();
-  add_examples(*command, "", kExamples);
+  add_examples(*command, "", kConfigExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

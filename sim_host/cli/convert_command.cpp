@@ -15,13 +15,13 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kWords =
+constexpr const char* kConvertWords =
     ".mat: MATLAB, written as version 5, read up to 7.3, one column vector per signal. .mcap: for Foxglove "
     "and\n"
     "PlotJuggler, JSON messages on the topic /morepro/frame. A MATLAB file with names of its own:\n"
     "--map time_s=t --map feed_position_m=qm --map 'feed_force_n=gtau*vir'";
 
-constexpr const char* kExamples =
+constexpr const char* kConvertExamples =
     "  morepro simulate --duration 1 --out run.csv\n"
     "  morepro convert run.csv run.mcap\n"
     "  morepro convert run.csv run.mrec --machine reference\n"
@@ -79,7 +79,7 @@ void add_convert(CLI::App& program) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       program.add_subcommand("convert", "convert a recording between formats, by file ending");
-  add_examples(*command, kWords, kExamples);
+  add_examples(*command, kConvertWords, kConvertExamples);
   command->add_option("in", arguments->in, "recording, .csv, .mrec, .mat or .mcap")->required();
   command
       ->add_option("out", arguments->out,

@@ -21,7 +21,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kDiagnoseExamples =
     "  morepro simulate --profile rich --duration 2 --effect brush_voltage_drop=1 \\\n"
     "    --datasheet-error 0.1 --machine-out datasheet.toml --out run.csv\n"
     "  morepro diagnose run.csv --machine datasheet.toml --apply found.toml\n"
@@ -116,7 +116,7 @@ void add_diagnose(CLI::App& program) {
       ->check(whole_number())
       ->capture_default_str();
   add_progress_option(*command, arguments->progress);
-  add_examples(*command, "", kExamples);
+  add_examples(*command, "", kDiagnoseExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -18,13 +18,13 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kWords =
+constexpr const char* kDiffWords =
     "A is the baseline: a sample of B may differ by the greater of ABSOLUTE and RELATIVE times |A|. "
     "Recordings of\n"
     "any format and rate are compared at the rows of the slower one; files that end in .json are results.\n"
     "Status 0: all within tolerance; 1: not.";
 
-constexpr const char* kExamples =
+constexpr const char* kDiffExamples =
     "  morepro simulate --duration 1 --out before.csv && morepro convert before.csv after.mat\n"
     "  morepro diff before.csv after.mat --rel-tol 1e-6 --tol feed_force_n=0.5,0.01\n"
     "  morepro diff before.csv after.mat --rel-tol 1e-3 --report differences.html\n"
@@ -112,7 +112,7 @@ void add_diff(CLI::App& program) {
   auto arguments = std::make_shared<DiffArguments>();
   CLI::App* command = program.add_subcommand(
       "diff", "compare two recordings or two results, signal by signal, within tolerances");
-  add_examples(*command, kWords, kExamples);
+  add_examples(*command, kDiffWords, kDiffExamples);
   command->add_option("A", arguments->a, "baseline: a recording of any format, or a result (.json)")
       ->required();
   command->add_option("B", arguments->b, "what is compared with it")->required();

@@ -18,7 +18,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kEffectsExamples =
     "  morepro effects\n"
     "  morepro effects feed_coulomb_friction\n"
     "  morepro effects --machine thesis --json catalogue.json";
@@ -162,7 +162,7 @@ void add_effects(CLI::App& program) {
                    "machine whose reference point is shown: 'reference', 'thesis' or a machine file")
       ->capture_default_str();
   command->add_option("--json", arguments->json, "write the catalogue as JSON; '-': on standard output");
-  add_examples(*command, "", kExamples);
+  add_examples(*command, "", kEffectsExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

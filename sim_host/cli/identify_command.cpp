@@ -21,13 +21,13 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kWords =
+constexpr const char* kIdentifyWords =
     "Spindle: armature_voltage_v, spindle_speed_rad_s, armature_current_a, and contact, chip_load_mm,\n"
     "tool_temperature_degc where there is a cut. Feed axis: feed_force_n, feed_speed_m_s or "
     "feed_position_m,\n"
     "contact, engagement.";
 
-constexpr const char* kExamples =
+constexpr const char* kIdentifyExamples =
     "  morepro simulate --profile rich --duration 4 --datasheet-error 0.2 --machine-out datasheet.toml --out "
     "run.csv\n"
     "  morepro identify run.csv --machine datasheet.toml --apply identified.toml\n"
@@ -139,7 +139,7 @@ void add_identify(CLI::App& program) {
   auto arguments = std::make_shared<IdentifyArguments>();
   CLI::App* command = program.add_subcommand(
       "identify", "find the machine's parameters: value, standard error, identifiable or why not");
-  add_examples(*command, kWords, kExamples);
+  add_examples(*command, kIdentifyWords, kIdentifyExamples);
   command->add_option("recording", arguments->recording, "recording, .csv, .mrec, .mat or .mcap")->required();
   command->add_option(
       "--machine", arguments->machine,

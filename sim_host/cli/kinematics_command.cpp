@@ -20,7 +20,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kWords =
+constexpr const char* kKinematicsWords =
     R"(path.csv, the points of straight segments; each takes duration_s from the point before it:
   x_m,y_m,z_m,roll_deg,duration_s
   0.3,0.1,0.4,0,
@@ -49,7 +49,7 @@ path.toml, or a --chain file (every table is optional; an own chain follows the 
   x_m = 0.2
   duration_s = 1.0)";
 
-constexpr const char* kExamples =
+constexpr const char* kKinematicsExamples =
     R"(  printf '%s\n' x_m,y_m,z_m,roll_deg,duration_s 0.3,0.1,0.4,0, 0.5,0.15,0.5,30,2 > path.csv
   morepro kinematics path.csv --out joints.csv
   morepro kinematics path.csv --report page.html      # the machine moving along the path, in a browser
@@ -232,7 +232,7 @@ void add_kinematics(CLI::App& program) {
                    "x y z in m, optionally roll or roll pitch yaw in rad: print the joints")
       ->delimiter(',');
   command->add_option("--json", arguments->json, "write a single pose as JSON; '-': standard output");
-  add_examples(*command, kWords, kExamples);
+  add_examples(*command, kKinematicsWords, kKinematicsExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

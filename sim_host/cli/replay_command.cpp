@@ -21,7 +21,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kReplayExamples =
     "  morepro simulate --duration 2 --out run.csv\n"
     "  morepro replay run.csv\n"
     "  morepro replay run.csv --machine reference --json result.json --out frames.csv\n"
@@ -138,7 +138,7 @@ void add_replay(CLI::App& program) {
   command->add_flag("--accept-damaged", arguments->accept_damaged,
                     "a recording that is cut or damaged is no error; write the outputs");
   add_progress_option(*command, arguments->progress);
-  add_examples(*command, "", kExamples);
+  add_examples(*command, "", kReplayExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -23,7 +23,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kSimulateExamples =
     "  morepro simulate --profile rich --duration 4 --effect feed_coulomb_friction=8 --out gap.csv\n"
     "  morepro simulate --effect drive_lag=1e-3,from=2 --seed 7 --out late.mrec\n"
     "  morepro simulate --machine thesis --datasheet-error 0.2 --machine-out datasheet.toml --out run.mat\n"
@@ -162,7 +162,7 @@ void add_simulate(CLI::App& program) {
                    "recording to write, .csv, .mrec, .mat or .mcap; '-': CSV on standard output")
       ->required();
   add_progress_option(*command, arguments->progress);
-  add_examples(*command, "", kExamples);
+  add_examples(*command, "", kSimulateExamples);
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -14,7 +14,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kThesisExamples =
     "  morepro thesis\n"
     "  morepro thesis --report thesis.html\n"
     "  morepro thesis --bank --runs 1 --json thesis.json";
@@ -79,7 +79,7 @@ void add_thesis(CLI::App& program) {
       ->needs(bank)
       ->capture_default_str();
   add_progress_option(*command, arguments->progress);
-  add_examples(*command, "", kExamples);
+  add_examples(*command, "", kThesisExamples);
   command->callback([arguments] { run(*arguments); });
 }
 
