@@ -9,17 +9,17 @@
 #include <string_view>
 #include <vector>
 
+#include "sim_host/kinematics/degree.hpp"
 #include "sim_host/support/input_file.hpp"
 #include "sim_host/support/suggestion.hpp"
+#include "sim_host/support/trimmed.hpp"
 
 namespace morepro::host {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
-constexpr std::array<std::string_view, 10> kColumns{"x_m",       "y_m",       "z_m",     "duration_s",
-                                                    "roll_rad",  "pitch_rad", "yaw_rad", "roll_deg",
-                                                    "pitch_deg", "yaw_deg"};
+constexpr std::array<std::string_view, 10> kPathColumns{"x_m",       "y_m",       "z_m",     "duration_s",
+                                                        "roll_rad",  "pitch_rad", "yaw_rad", "roll_deg",
+                                                        "pitch_deg", "yaw_deg"};
 constexpr std::size_t kDuration = 3;
 constexpr std::size_t kFirstAngle = 4;
 
@@ -27,13 +27,6 @@ struct Field {
   std::string_view text;
   std::size_t column;  ///< first character, from 1
 };
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
 
 std::vector<Field> fields_of(std::string_view line) {
   std::vector<Field> fields;
@@ -79,19 +72,19 @@ class PathCsv {
 
   void take_header(std::string_view line) {
     for (const Field& field : fields_of(line)) {
-      const auto known = std::find(kColumns.begin(), kColumns.end(), field.text);
-      if (known == kColumns.end()) {
+      const auto known = std::find(kPathColumns.begin(), kPathColumns.end(), field.text);
+      if (known == kPathColumns.end()) {
         throw UserError(place(field.column), fmt::format("column '{}' is not known{}; correct or remove it",
-                                                         field.text, did_you_mean(field.text, kColumns)));
+                                                         field.text, did_you_mean(field.text, kPathColumns)));
       }
-      const auto column = static_cast<std::size_t>(known - kColumns.begin());
+      const auto column = static_cast<std::size_t>(known - kPathColumns.begin());
       if (has(column)) refuse_twice(field);
       if (column >= kFirstAngle && has(column < 7 ? column + 3 : column - 3)) refuse_twice(field);
       columns_.push_back(column);
     }
     for (std::size_t column = 0; column <= kDuration; ++column) {
       if (!has(column))
-        throw UserError(place(0), fmt::format("the header has no column '{}'; add it", kColumns[column]));
+        throw UserError(place(0), fmt::format("the header has no column '{}'; add it", kPathColumns[column]));
     }
     for (std::size_t i = 0; i < 3; ++i) {
       if (has(kFirstAngle + i) || has(kFirstAngle + 3 + i))
@@ -144,7 +137,7 @@ class PathCsv {
         !std::isfinite(value)) {
       throw UserError(place(field.column),
                       fmt::format("'{}' in column '{}' is not a finite number; write one such as -1.5e-3",
-                                  field.text.substr(0, 40), kColumns[column]));
+                                  field.text.substr(0, 40), kPathColumns[column]));
     }
     return value;
   }

@@ -11,25 +11,25 @@
 namespace morepro::host {
 namespace {
 
-using namespace kinematics;
-
 constexpr double kSearchTolerance = 1.0e-9;
 constexpr int kSearchStarts = 64;
 
-JointVector<double> built_in_joints(const ChainDescription& chain, const Waypoint<double>& pose) {
+kinematics::JointVector<double> built_in_joints(const ChainDescription& chain,
+                                                const kinematics::Waypoint<double>& pose) {
   if (pose.angles_rad(1) != 0.0 || pose.angles_rad(2) != 0.0)
     throw UserError("this machine cannot tilt its tool; pitch and yaw must be 0");
-  const auto joints = inverse_of(chain.geometry, RollPose<double>{pose.position_m, pose.angles_rad(0)});
+  const auto joints =
+      inverse_of(chain.geometry, kinematics::RollPose<double>{pose.position_m, pose.angles_rad(0)});
   if (const std::string outside = outside_limits(chain.table, joints, kJointRounding); !outside.empty())
     throw UserError(fmt::format("the pose is out of reach: {}", outside));
   return joints;
 }
 
 /// A joint without limits is searched within a turn, or within 1 m.
-JointVector<double> random_start(const DhTable& table, std::mt19937& random) {
-  JointVector<double> start{};
+kinematics::JointVector<double> random_start(const kinematics::DhTable& table, std::mt19937& random) {
+  kinematics::JointVector<double> start{};
   for (std::size_t i = 0; i < table.count; ++i) {
-    const double size = table.joints[i].kind == JointKind::kRevolute ? 3.14 : 1.0;
+    const double size = table.joints[i].kind == kinematics::JointKind::kRevolute ? 3.14 : 1.0;
     const double low = std::max(table.joints[i].lowest, -size);
     const double high = std::min(table.joints[i].highest, size);
     const double share = static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
@@ -38,9 +38,9 @@ JointVector<double> random_start(const DhTable& table, std::mt19937& random) {
   return start;
 }
 
-[[noreturn]] void refuse(const ChainDescription& chain, TaskRows rows,
-                         const PoseSearchResult<double>& nearest) {
-  const Mobility<double> mobility(Chain<double>(chain.table), rows);
+[[noreturn]] void refuse(const ChainDescription& chain, kinematics::TaskRows rows,
+                         const kinematics::PoseSearchResult<double>& nearest) {
+  const kinematics::Mobility<double> mobility(kinematics::Chain<double>(chain.table), rows);
   if (const std::string off = off_along_still(mobility, nearest.error, kSearchTolerance); !off.empty())
     throw UserError("the pose is out of reach: " + off);
   throw UserError(fmt::format(
@@ -51,10 +51,11 @@ JointVector<double> random_start(const DhTable& table, std::mt19937& random) {
 
 }  // namespace
 
-JointVector<double> joints_for(const ChainDescription& chain, TaskRows rows, const Waypoint<double>& pose) {
+kinematics::JointVector<double> joints_for(const ChainDescription& chain, kinematics::TaskRows rows,
+                                           const kinematics::Waypoint<double>& pose) {
   if (chain.is_built_in) return built_in_joints(chain, pose);
-  const PoseSearch<double> search(Chain<double>(chain.table), rows, kSearchTolerance);
-  PoseSearchResult<double> nearest = search.find(pose, {});
+  const kinematics::PoseSearch<double> search(kinematics::Chain<double>(chain.table), rows, kSearchTolerance);
+  kinematics::PoseSearchResult<double> nearest = search.find(pose, {});
   std::mt19937 random(1);
   for (int start = 1; start < kSearchStarts && !nearest.is_reached; ++start) {
     const auto found = search.find(pose, random_start(chain.table, random));

@@ -10,7 +10,7 @@ namespace {
 using kinematics::Vector3;
 
 /// "x", or "(0, 0.6, 0.8)" where no axis of the base is meant.
-std::string name_of(const Vector3<double>& direction) {
+std::string name_of_direction(const Vector3<double>& direction) {
   constexpr double kAligned = 0.999999;
   for (int i = 0; i < 3; ++i) {
     if (std::abs(direction(i)) > kAligned) return std::string(1, "xyz"[i]);
@@ -26,14 +26,14 @@ std::string off_along_still(const kinematics::Mobility<double>& mobility,
   const Vector3<double> way = still.head<3>();
   const Vector3<double> turn = still.tail<3>();
   if (way.norm() > tolerance) {
-    const std::string name = name_of(way.normalized());
+    const std::string name = name_of_direction(way.normalized());
     return fmt::format(
         "the tool is {:.3g} m off along {}, and no joint of this chain moves it along {}; give the points "
         "what the chain can reach, or place them there by [placement]",
         way.norm(), name, name);
   }
   if (!(turn.norm() > tolerance)) return {};
-  const std::string name = name_of(turn.normalized());
+  const std::string name = name_of_direction(turn.normalized());
   return fmt::format(
       "the tool is {:.3g} rad off about {}, and no joint of this chain turns it about {}; leave the angle "
       "out",

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <vector>
 
+#include "sim_host/kinematics/degree.hpp"
 #include "sim_host/support/parsed_toml.hpp"
 #include "sim_host/support/suggestion.hpp"
 
 namespace morepro::host {
-namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
-}  // namespace
+namespace {}  // namespace
 
 TomlReader::TomlReader(const std::string& path) : path_(path), root_(parsed_toml(path)) {}
 

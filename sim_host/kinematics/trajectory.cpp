@@ -15,24 +15,22 @@
 namespace morepro::host {
 namespace {
 
-using namespace kinematics;
-
 constexpr std::size_t kMostPoints = 4096;
-constexpr double kMostRows = 1.0e8;
+constexpr double kMostTrajectoryRows = 1.0e8;
 constexpr double kLowestRateHz = 1.0;
 constexpr double kHighestRateHz = 1.0e5;
-using HostPath = Path<double, kMostPoints>;
+using HostPath = kinematics::Path<double, kMostPoints>;
 
-std::string sentence_of(PathError error, const PathPoint& point, double ramp_share) {
+std::string sentence_of(kinematics::PathError error, const PathPoint& point, double ramp_share) {
   switch (error) {
-    case PathError::kFull:
+    case kinematics::PathError::kFull:
       return fmt::format("the path has more than {} points; split it", kMostPoints);
-    case PathError::kCoincident:
+    case kinematics::PathError::kCoincident:
       return "the point is where the one before it is; remove one of the two, or move or turn it";
-    case PathError::kTime:
+    case kinematics::PathError::kTime:
       if (ramp_share > 0.0 && ramp_share <= 0.5) {
         return fmt::format("duration_s = {:g} is impossible; give the segment {:g} s or more",
-                           point.duration_s, kShortestSegmentS);
+                           point.duration_s, kinematics::kShortestSegmentS);
       }
       return fmt::format(
           "ramp_share = {:g} is impossible; give each ramp more than 0 and at most 0.5 of the time",
@@ -78,8 +76,8 @@ std::unique_ptr<HostPath> path_of(const KinematicsJob& job) {
   auto path = std::make_unique<HostPath>(job.placement, job.inverse.ramp_share);
   for (const PathPoint& point : job.points) {
     check_tilt(job, point);
-    const PathError error = path->add(point.waypoint, point.duration_s);
-    if (error != PathError::kNone)
+    const kinematics::PathError error = path->add(point.waypoint, point.duration_s);
+    if (error != kinematics::PathError::kNone)
       throw UserError(point.place, sentence_of(error, point, job.inverse.ramp_share));
     if (path->points() > 1) check_limits(job, *(&point - 1), point);
   }
@@ -94,8 +92,8 @@ void check_inverse(const KinematicsJob& job) {
   }
   if (method_of(job) == InverseMethod::kClosedForm && !job.chain.is_built_in)
     throw UserError("the closed form exists for the built-in machine only; use method clik for an own chain");
-  const ClikSettings settings{inverse.gain_per_s, 1.0 / inverse.rate_hz};
-  if (method_of(job) == InverseMethod::kClik && settings.validate() == ClikError::kGain) {
+  const kinematics::ClikSettings settings{inverse.gain_per_s, 1.0 / inverse.rate_hz};
+  if (method_of(job) == InverseMethod::kClik && settings.validate() == kinematics::ClikError::kGain) {
     throw UserError(fmt::format(
         "gain = {:g}/s is unstable at {:g} Hz; choose it above 0 and below 2 x rate = {:g}/s (up to {:g}/s "
         "the error does not overshoot)",
@@ -106,9 +104,12 @@ void check_inverse(const KinematicsJob& job) {
 }
 
 /// What the CLIK follows: the built-in machine's roll is always prescribed.
-TaskRows rows_of(const KinematicsJob& job) { return job.chain.is_built_in ? kRollRows : job.rows; }
+kinematics::TaskRows rows_of(const KinematicsJob& job) {
+  return job.chain.is_built_in ? kinematics::kRollRows : job.rows;
+}
 
-JointVector<double> start_of(const KinematicsJob& job, const ToolState<double>& first) {
+kinematics::JointVector<double> start_of(const KinematicsJob& job,
+                                         const kinematics::ToolState<double>& first) {
   if (job.inverse.start) return *job.inverse.start;
   try {
     return joints_for(job.chain, rows_of(job), {first.position_m, first.angles_rad});
@@ -120,37 +121,38 @@ JointVector<double> start_of(const KinematicsJob& job, const ToolState<double>& 
 /// One way to get from a wanted tool to joints, sample by sample.
 class Follower {
  public:
-  Follower(const KinematicsJob& job, const ToolState<double>& first) : job_(job) {
+  Follower(const KinematicsJob& job, const kinematics::ToolState<double>& first) : job_(job) {
     if (method_of(job) == InverseMethod::kClosedForm) return;
-    const ClikSettings settings{job.inverse.gain_per_s, 1.0 / job.inverse.rate_hz, rows_of(job)};
-    clik_.emplace(Chain<double>(job.chain.table), settings, start_of(job, first));
+    const kinematics::ClikSettings settings{job.inverse.gain_per_s, 1.0 / job.inverse.rate_hz, rows_of(job)};
+    clik_.emplace(kinematics::Chain<double>(job.chain.table), settings, start_of(job, first));
   }
 
-  TrajectoryRow next(double time_s, const ToolState<double>& wanted) {
+  TrajectoryRow next(double time_s, const kinematics::ToolState<double>& wanted) {
     return clik_ ? by_clik(time_s, wanted) : by_closed_form(time_s, wanted);
   }
   [[nodiscard]] bool is_damped() const { return is_damped_; }
 
  private:
-  TrajectoryRow by_clik(double time_s, const ToolState<double>& wanted) {
+  TrajectoryRow by_clik(double time_s, const kinematics::ToolState<double>& wanted) {
     const auto joints = clik_->joints();
     const auto acceleration = clik_->acceleration(wanted);
-    const ClikStep<double> step = clik_->step(wanted);
+    const kinematics::ClikStep<double> step = clik_->step(wanted);
     is_damped_ = step.damping > 0.0;
     return {time_s, joints, step.rate, acceleration, wanted, step.error};
   }
 
-  TrajectoryRow by_closed_form(double time_s, const ToolState<double>& wanted) const {
-    return {
-        .time_s = time_s,
-        .joints = inverse_of(job_.chain.geometry, RollPose<double>{wanted.position_m, wanted.angles_rad(0)}),
-        .rate = inverse_rates_of<double>(wanted.speed.head<3>(), wanted.speed(3)),
-        .acceleration = inverse_rates_of<double>(wanted.acceleration.head<3>(), wanted.acceleration(3)),
-        .tool = wanted};
+  TrajectoryRow by_closed_form(double time_s, const kinematics::ToolState<double>& wanted) const {
+    return {.time_s = time_s,
+            .joints = inverse_of(job_.chain.geometry,
+                                 kinematics::RollPose<double>{wanted.position_m, wanted.angles_rad(0)}),
+            .rate = kinematics::inverse_rates_of<double>(wanted.speed.head<3>(), wanted.speed(3)),
+            .acceleration =
+                kinematics::inverse_rates_of<double>(wanted.acceleration.head<3>(), wanted.acceleration(3)),
+            .tool = wanted};
   }
 
   const KinematicsJob& job_;
-  std::optional<Clik<double>> clik_;
+  std::optional<kinematics::Clik<double>> clik_;
   bool is_damped_ = false;
 };
 
@@ -158,7 +160,7 @@ class Follower {
 class ReachCheck {
  public:
   explicit ReachCheck(const KinematicsJob& job)
-      : job_(job), mobility_(Chain<double>(job.chain.table), rows_of(job)) {}
+      : job_(job), mobility_(kinematics::Chain<double>(job.chain.table), rows_of(job)) {}
 
   /// `segment`: that the row is on; at a point the one that begins there.
   void check(const TrajectoryRow& row, std::size_t segment, bool is_last, bool is_damped) {
@@ -189,17 +191,17 @@ class ReachCheck {
   }
 
   const KinematicsJob& job_;
-  Mobility<double> mobility_;
+  kinematics::Mobility<double> mobility_;
   std::size_t segment_ = 0;
 };
 
 double last_sample(const KinematicsJob& job, double duration_s) {
   constexpr double kRoundingOfTheSum = 1.0e-9;
   const double last = std::ceil(duration_s * job.inverse.rate_hz - kRoundingOfTheSum);
-  if (last < kMostRows) return last;
+  if (last < kMostTrajectoryRows) return last;
   throw UserError(TextPlace{job.file, 0, 0},
                   fmt::format("{:g} s at {:g} Hz are more than {:g} rows; lower the rate", duration_s,
-                              job.inverse.rate_hz, kMostRows));
+                              job.inverse.rate_hz, kMostTrajectoryRows));
 }
 
 }  // namespace

@@ -9,30 +9,29 @@
 namespace morepro::host {
 namespace {
 
-using Json = nlohmann::json;
-using Rows = std::vector<TrajectoryRow>;
+using TrajectoryRows = std::vector<TrajectoryRow>;
 
-constexpr std::size_t kMostRows = 4000;
+constexpr std::size_t kMostShownRows = 4000;
 
 /// One list per row of the trajectory.
 template <class Value>
-Json column(const Rows& rows, Value value) {
-  Json list = Json::array();
+nlohmann::json column(const TrajectoryRows& rows, Value value) {
+  nlohmann::json list = nlohmann::json::array();
   for (const TrajectoryRow& row : rows) list.push_back(value(row));
   return list;
 }
 
 template <class Value>
-Json columns(const Rows& rows, std::size_t count, Value value) {
-  Json lists = Json::array();
+nlohmann::json columns(const TrajectoryRows& rows, std::size_t count, Value value) {
+  nlohmann::json lists = nlohmann::json::array();
   for (std::size_t i = 0; i < count; ++i)
     lists.push_back(column(rows, [&](const TrajectoryRow& row) { return value(row, i); }));
   return lists;
 }
 
-Json joints_json(const kinematics::DhTable& table) {
+nlohmann::json joints_json(const kinematics::DhTable& table) {
   const std::vector<std::string> names = joint_names(table);
-  Json joints = Json::array();
+  nlohmann::json joints = nlohmann::json::array();
   for (std::size_t i = 0; i < table.count; ++i) {
     const kinematics::DhJoint& joint = table.joints[i];
     const bool turns = joint.kind == kinematics::JointKind::kRevolute;
@@ -47,8 +46,8 @@ Json joints_json(const kinematics::DhTable& table) {
   return joints;
 }
 
-Json points_json(const KinematicsJob& job) {
-  Json points = Json::array();
+nlohmann::json points_json(const KinematicsJob& job) {
+  nlohmann::json points = nlohmann::json::array();
   for (const PathPoint& point : job.points) {
     const auto placed = job.placement * point.waypoint.position_m;
     points.push_back({placed(0), placed(1), placed(2)});
@@ -56,7 +55,7 @@ Json points_json(const KinematicsJob& job) {
   return points;
 }
 
-Json rows_json(const Rows& rows, std::size_t joints) {
+nlohmann::json rows_json(const TrajectoryRows& rows, std::size_t joints) {
   const auto at = [](std::size_t i) { return static_cast<int>(i); };
   return {{"time_s", column(rows, [](const TrajectoryRow& row) { return row.time_s; })},
           {"joints", columns(rows, joints, [](const TrajectoryRow& row, auto i) { return row.joints[i]; })},
@@ -78,29 +77,29 @@ void TrajectoryPage::add(const TrajectoryRow& row) {
   last_ = row;
   if (rows_++ % stride_ != 0) return;
   kept_.push_back(row);
-  if (kept_.size() < kMostRows) return;
+  if (kept_.size() < kMostShownRows) return;
   for (std::size_t i = 0; 2 * i < kept_.size(); ++i) kept_[i] = kept_[2 * i];
   kept_.resize((kept_.size() + 1) / 2);
   stride_ *= 2;
 }
 
 std::vector<TrajectoryRow> TrajectoryPage::shown() const {
-  Rows rows = kept_;
+  TrajectoryRows rows = kept_;
   if (rows.empty() || rows.back().time_s != last_.time_s) rows.push_back(last_);
   return rows;
 }
 
 std::string TrajectoryPage::json(std::string_view summary) const {
-  const Rows rows = shown();
+  const TrajectoryRows rows = shown();
   std::string text(summary);
   if (stride_ > 1) text += fmt::format("; one row of {} is shown", stride_);
-  const Json data{{"schema", "morepro.trajectory_page/1"},
-                  {"summary", text},
-                  {"joints", joints_json(job_.chain.table)},
-                  {"points_m", points_json(job_)},
-                  {"has_error", method_of(job_) == InverseMethod::kClik},
-                  {"rows", rows_json(rows, job_.chain.table.count)}};
-  return data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const nlohmann::json data{{"schema", "morepro.trajectory_page/1"},
+                            {"summary", text},
+                            {"joints", joints_json(job_.chain.table)},
+                            {"points_m", points_json(job_)},
+                            {"has_error", method_of(job_) == InverseMethod::kClik},
+                            {"rows", rows_json(rows, job_.chain.table.count)}};
+  return data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string TrajectoryPage::html(std::string_view summary) const {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kTime = "time_s";
 
-constexpr auto kColumns = [] {
+constexpr auto kRecordedColumns = [] {
   std::array<std::string_view, kChannelCount + 1> names{};
   for (std::size_t i = 0; i < kChannelCount; ++i) names[i] = kChannels[i].column;
   names[kChannelCount] = kTime;
@@ -27,7 +27,7 @@ std::string_view column_name(const std::optional<Channel>& channel) {
 }
 
 bool is_column(std::string_view name) {
-  return std::find(kColumns.begin(), kColumns.end(), name) != kColumns.end();
+  return std::find(kRecordedColumns.begin(), kRecordedColumns.end(), name) != kRecordedColumns.end();
 }
 
 ColumnSource column_source(const std::string& text) {
@@ -35,12 +35,13 @@ ColumnSource column_source(const std::string& text) {
   if (equals == std::string::npos)
     throw UsageError(fmt::format("--map {}: write COLUMN=VARIABLE, for example feed_force_n=force", text));
   const std::string_view column = std::string_view(text).substr(0, equals);
-  const auto known = std::find(kColumns.begin(), kColumns.end(), column);
-  if (known == kColumns.end())
+  const auto known = std::find(kRecordedColumns.begin(), kRecordedColumns.end(), column);
+  if (known == kRecordedColumns.end())
     throw UsageError(fmt::format("--map {}: '{}' is no column of a recording{}; the columns are {}", text,
-                                 column, did_you_mean(column, kColumns), fmt::join(kColumns, ", ")));
+                                 column, did_you_mean(column, kRecordedColumns),
+                                 fmt::join(kRecordedColumns, ", ")));
   ColumnSource source;
-  if (*known != kTime) source.channel = static_cast<Channel>(known - kColumns.begin());
+  if (*known != kTime) source.channel = static_cast<Channel>(known - kRecordedColumns.begin());
   source.variable = text.substr(equals + 1);
   if (const std::size_t times = source.variable.rfind('*'); times != std::string::npos) {
     source.factor = source.variable.substr(0, times);

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "sim_host/support/suggestion.hpp"
+#include "sim_host/support/trimmed.hpp"
 #include "sim_host/support/user_error.hpp"
 
 namespace morepro::host {
@@ -20,13 +21,6 @@ constexpr auto kKnownColumns = [] {
   names[kChannelCount] = kTimeColumn;
   return names;
 }();
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
 
 // Spreadsheets put names between quotes.
 std::string_view unquoted(std::string_view name) {

@@ -12,9 +12,9 @@
 namespace morepro::host {
 namespace {
 
-class Collector {
+class ColumnCollector {
  public:
-  Collector(const MatFile& file, const ColumnMapping& mapping, RecordingInfo& info)
+  ColumnCollector(const MatFile& file, const ColumnMapping& mapping, RecordingInfo& info)
       : file_(file), mapping_(mapping), info_(info) {}
 
   RecordingColumns collect() {
@@ -124,7 +124,7 @@ LoadedRecording load_mat(const std::string& path, const ColumnMapping& mapping) 
   LoadedRecording recording;
   recording.info.file = path;
   recording.info.metadata = file.metadata();
-  recording.columns = Collector(file, mapping, recording.info).collect();
+  recording.columns = ColumnCollector(file, mapping, recording.info).collect();
   return recording;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kHead = "MATLAB 5.0 MAT-file, recording of morepro";
 // The format counts the bytes of a variable in 31 bits; a double per row.
-constexpr std::size_t kMostRows = (std::size_t{1} << 31) / sizeof(double) - 64;
+constexpr std::size_t kMostMatRows = (std::size_t{1} << 31) / sizeof(double) - 64;
 
 /// libmatio writes to a path only: a file of its own, gone at the end.
 class ScratchFile {
@@ -94,10 +94,10 @@ bool MatWriter::write(const SensorFrame& frame) {
 }
 
 void MatWriter::finish() {
-  if (time_s_.size() > kMostRows)
+  if (time_s_.size() > kMostMatRows)
     throw UserError(
         fmt::format("{}: {} rows are too many for a MATLAB file of version 5 (at most {}); cut it",
-                    file_.path(), time_s_.size(), kMostRows));
+                    file_.path(), time_s_.size(), kMostMatRows));
   const ScratchFile scratch;
   {
     const File mat(Mat_CreateVer(scratch.path().c_str(), kHead, MAT_FT_MAT5));

@@ -12,8 +12,6 @@
 namespace morepro::host {
 namespace {
 
-using Json = nlohmann::json;
-
 std::optional<Channel> channel_of(std::string_view column) {
   for (std::size_t i = 0; i < kChannelCount; ++i)
     if (kChannels[i].column == column) return static_cast<Channel>(i);
@@ -21,7 +19,7 @@ std::optional<Channel> channel_of(std::string_view column) {
 }
 
 /// Takes numbers from their text: a double in between would round twice.
-class FrameHandler final : public nlohmann::json_sax<Json> {
+class FrameHandler final : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit FrameHandler(SensorFrame& frame) : frame_(frame) {}
 
@@ -62,7 +60,7 @@ class FrameHandler final : public nlohmann::json_sax<Json> {
 }  // namespace
 
 std::uint16_t channels_of_schema(std::string_view schema) {
-  const Json json = Json::parse(schema, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(schema, nullptr, false);
   std::uint16_t recorded = 0;
   if (!json.is_object() || !json.contains("properties")) return recorded;
   for (const auto& [column, type] : json["properties"].items())
@@ -73,7 +71,7 @@ std::uint16_t channels_of_schema(std::string_view schema) {
 
 bool read_frame_json(std::string_view text, SensorFrame& frame) {
   FrameHandler handler(frame);
-  return Json::sax_parse(text, &handler);
+  return nlohmann::json::sax_parse(text, &handler);
 }
 
 std::string mcap_schema(std::uint16_t recorded) {

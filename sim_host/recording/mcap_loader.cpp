@@ -20,9 +20,9 @@ std::uint32_t crc_of(std::string_view bytes) {
       crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
-class Loader {
+class McapLoader {
  public:
-  Loader(const std::string& path, std::string_view whole) : whole_(whole) { recording_.info.file = path; }
+  McapLoader(const std::string& path, std::string_view whole) : whole_(whole) { recording_.info.file = path; }
 
   LoadedRecording load() {
     if (!whole_.starts_with(kMcapMagic))
@@ -154,7 +154,7 @@ class Loader {
 
 LoadedRecording load_mcap(const std::string& path) {
   const InputFile file(path);
-  return Loader(path, file.text()).load();
+  return McapLoader(path, file.text()).load();
 }
 
 }  // namespace morepro::host

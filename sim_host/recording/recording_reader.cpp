@@ -10,7 +10,7 @@ namespace {
 
 using AnyReader = std::variant<CsvReader, NativeReader, ColumnsReader>;
 
-AnyReader open(const std::string& path, const ColumnMapping& mapping) {
+AnyReader opened_reader(const std::string& path, const ColumnMapping& mapping) {
   const RecordingFormat format = format_of(path);
   if (format != RecordingFormat::kMat && !mapping.is_empty())
     throw UsageError(fmt::format("{}: --map and --rate are for .mat files; others have fixed names", path));
@@ -29,7 +29,7 @@ AnyReader open(const std::string& path, const ColumnMapping& mapping) {
 }  // namespace
 
 RecordingReader::RecordingReader(const std::string& path, const ColumnMapping& mapping)
-    : reader_(open(path, mapping)) {
+    : reader_(opened_reader(path, mapping)) {
   const auto* native = std::get_if<NativeReader>(&reader_);
   if (native != nullptr && native->integrity().frames == 0) {
     throw UserError(fmt::format("{}: the recording holds no frames; record again", path));

@@ -20,8 +20,8 @@ NativeWriter open_native(OutputFile& file, Metadata metadata, std::int64_t start
   return {file, metadata};
 }
 
-std::variant<CsvWriter, NativeWriter, MatWriter, McapWriter> open(OutputFile& file,
-                                                                  const RecordingInfo& info) {
+std::variant<CsvWriter, NativeWriter, MatWriter, McapWriter> opened_writer(OutputFile& file,
+                                                                           const RecordingInfo& info) {
   Metadata metadata = without_start(info);
   switch (format_of(file.path())) {
     case RecordingFormat::kNative:
@@ -39,7 +39,7 @@ std::variant<CsvWriter, NativeWriter, MatWriter, McapWriter> open(OutputFile& fi
 
 RecordingWriter::RecordingWriter(OutputFile& file, const RecordingInfo& info,
                                  const MonitorConfiguration& configuration)
-    : writer_(open(file, info)) {
+    : writer_(opened_writer(file, info)) {
   if (auto* native = std::get_if<NativeWriter>(&writer_)) native->write(configuration);
 }
 
