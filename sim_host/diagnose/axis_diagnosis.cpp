@@ -23,7 +23,7 @@ constexpr std::size_t kMostTrials = 6;  // where those before them turn out to b
 constexpr std::size_t kMostEffects = 4;
 // Standard error over size. What is worth its evidence is known to a seventh; a size that is not known at all
 // let the parameters settle elsewhere, and that was its worth.
-constexpr double kVague = 0.5;
+constexpr double kUnsureSize = 0.5;
 constexpr double kLeastShareOfFamily = 0.08;
 // Beside an effect that the machine file states, with the shape that a recording has given it.
 constexpr double kLeastShareOfKnown = 0.02;
@@ -61,10 +61,10 @@ double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect) {
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
-class Search {
+class DiagnosisSearch {
  public:
-  Search(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded,
-         const std::function<void(double)>& on_progress)
+  DiagnosisSearch(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded,
+                  const std::function<void(double)>& on_progress)
       : diagnosis_(diagnosis),
         fit_(diagnosis.fit),
         left_out_(excluded.begin(), excluded.end()),
@@ -252,7 +252,7 @@ class Search {
       const AxisFit& without = all_without[i];
       if (without.model().effects.empty()) diagnosis_.nominal = without;
       const double evidence = without.unlikeliness() - fit_.unlikeliness();
-      const bool is_known = fit_.relative_error_of(diagnosis_.found[i].effect.form.effect) < kVague;
+      const bool is_known = fit_.relative_error_of(diagnosis_.found[i].effect.form.effect) < kUnsureSize;
       diagnosis_.found[i].evidence = std::isfinite(evidence) && is_known ? evidence : 0.0;
     }
   }
@@ -331,7 +331,7 @@ AxisDiagnosis search_effects(const AxisFit& start, const AxisFit& nominal,
                              std::span<const gap::Effect> excluded, double least_evidence,
                              const std::function<void(double)>& on_progress) {
   AxisDiagnosis diagnosis{.fit = start, .nominal = nominal, .least_evidence = least_evidence};
-  Search(diagnosis, excluded, on_progress).run();
+  DiagnosisSearch(diagnosis, excluded, on_progress).run();
   return diagnosis;
 }
 

@@ -17,11 +17,11 @@
 namespace morepro::host {
 namespace {
 
-constexpr int kMostSteps = 8;
+constexpr int kMostImprovements = 8;
 constexpr std::array kDampings{0.0, 1.0, 30.0};
-constexpr double kSettledRound = 5.0;  // deviance that a round of noise and parameters gains
-constexpr double kSettled = 4.0;       // chi-square that a further step would gain
-constexpr double kHopeless = 0.01;     // deviance per row that another round does not make up for
+constexpr double kSettledRound = 5.0;         // deviance that a round of noise and parameters gains
+constexpr double kSettled = 4.0;              // chi-square that a further step would gain
+constexpr double kBeyondAnotherRound = 0.01;  // deviance per row that another round does not make up for
 constexpr double kCrawl = 0.005;       // share of its promise that a step keeps where another one is no use
 constexpr double kNotFitted = 1.0e24;  // precision of what the recording tells nothing about
 constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
@@ -303,7 +303,7 @@ void AxisFit::expect_little_noise() { expect_process_noise(least_noise_share_, m
 
 void AxisFit::refit() {
   Trial best = tried();
-  for (int i = 0; i < kMostSteps && improve(best); ++i) {
+  for (int i = 0; i < kMostImprovements && improve(best); ++i) {
   }
   whitening_ = whitening_of(best.statistics);
   unlikeliness_ = unlikeliness_of(best.statistics);
@@ -318,7 +318,7 @@ void AxisFit::match_noise() {
 
 double AxisFit::refit_with_this_noise() {
   Trial best = tried();
-  for (int i = 0; i < kMostSteps && improve(best); ++i) {
+  for (int i = 0; i < kMostImprovements && improve(best); ++i) {
   }
   return best.cost;
 }
@@ -366,7 +366,7 @@ void AxisFit::finish(const Rival& rival) {
 }
 
 bool AxisFit::is_hopeless_beside(double rival) const {
-  return unlikeliness_ > rival + kHopeless * static_cast<double>(signals_->rows);
+  return unlikeliness_ > rival + kBeyondAnotherRound * static_cast<double>(signals_->rows);
 }
 
 void AxisFit::polish(double rival) {

@@ -24,11 +24,11 @@ double first_share(double decay) {
   return std::fabs(decay) < 1.0e-3 ? 0.5 - decay / 12.0 : 1.0 / decay - 1.0 / std::expm1(decay);
 }
 
-constexpr std::array kSampled{Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed,
-                              Channel::kFeedPosition};
+constexpr std::array kSampledChannels{Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed,
+                                      Channel::kFeedPosition};
 
 bool has_holes(const RecordingSignals& signals) {
-  return std::any_of(kSampled.begin(), kSampled.end(), [&signals](Channel channel) {
+  return std::any_of(kSampledChannels.begin(), kSampledChannels.end(), [&signals](Channel channel) {
     const auto& column = signals.value[index_of(channel)];
     return std::any_of(column.begin(), column.end(), [](float value) { return std::isnan(value); });
   });
@@ -39,7 +39,7 @@ bool has_holes(const RecordingSignals& signals) {
 std::optional<RecordingSignals> bridged(const RecordingSignals& with_holes) {
   if (!has_holes(with_holes)) return std::nullopt;
   RecordingSignals signals = with_holes;
-  for (const Channel channel : kSampled) {
+  for (const Channel channel : kSampledChannels) {
     auto& column = signals.value[index_of(channel)];
     std::size_t last = column.size();  // that was measured
     for (std::size_t i = 0; i < column.size(); ++i) {

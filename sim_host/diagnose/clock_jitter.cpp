@@ -13,7 +13,7 @@ namespace morepro::host {
 namespace {
 
 constexpr double kLeastEvidence = 40.0;
-constexpr double kOutlier = 6.0;  // deviations beyond count as this
+constexpr double kLargestDeviation = 6.0;  // deviations beyond count as this
 // Of squares of rates over noise, in 1/s2: from what takes a second to be seen to a microsecond's part.
 constexpr std::size_t kBins = 320;
 constexpr double kFirstDecade = 0.0;
@@ -25,7 +25,7 @@ constexpr double kMostShared = 0.3;
 constexpr double kLeastShared = -0.6;
 constexpr double kLeastSharedAtFirst = -1.0;  // where process noise was fitted to a large jitter
 constexpr double kSizeError = 0.05;  // relative: between which two rates an instant lies is not recorded
-constexpr std::size_t kFewest = 400;
+constexpr std::size_t kFewestResiduals = 400;
 
 /// Residuals that a jitter would add the same share to, in units of the observer's variance.
 struct Bin {
@@ -127,7 +127,7 @@ Evaluation look_at(const AxisFit& fit, const GapModel& model) {
   run_observer(fit.axis(), fit.signals(), model, 0, fit.signals().rows, [&](const Innovation& v) {
     if (v.row == 0) return;
     const double rate = rates.at(v.row)[v.sensor];
-    const double most = kOutlier * std::sqrt(v.variance);
+    const double most = kLargestDeviation * std::sqrt(v.variance);
     const double value = std::clamp(v.value, -most, most);
     evaluation.residuals[2 * v.sensor + (v.in_contact ? 1 : 0)].add(value, rate, v.variance);
     evaluation.togetherness[v.sensor].add(value, rate, v.variance);
@@ -168,7 +168,7 @@ double unlikeliness(const Residuals& r, double jitter_s2) {
 double unlikeliness(const Evaluation& evaluation, double jitter_s) {
   double sum = 0.0;
   for (const Residuals& r : evaluation.residuals)
-    if (r.count >= kFewest) sum += unlikeliness(r, jitter_s * jitter_s);
+    if (r.count >= kFewestResiduals) sum += unlikeliness(r, jitter_s * jitter_s);
   return sum;
 }
 
@@ -176,7 +176,7 @@ double evidence_of(const Evaluation& evaluation, std::size_t sensor, double jitt
   double sum = 0.0;
   for (const std::size_t i : {2 * sensor, 2 * sensor + 1}) {
     const Residuals& r = evaluation.residuals[i];
-    if (r.count >= kFewest) sum += unlikeliness(r, 0.0) - unlikeliness(r, jitter_s2);
+    if (r.count >= kFewestResiduals) sum += unlikeliness(r, 0.0) - unlikeliness(r, jitter_s2);
   }
   return sum;
 }

@@ -9,19 +9,13 @@
 namespace morepro::host {
 namespace {
 
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-// Rows at the start of a stretch in which the observer still settles.
-constexpr std::size_t kSettling = 50;
-constexpr Eigen::Index kBatch = 256;
-// A row beyond this many standard deviations counts as one of them (Huber).
-constexpr double kHuber = 5.0;
+constexpr Eigen::Index kBatchRows = 256;
 
 /// Rows of one sensor on their way into the moments. They wait until there are many: to whiten and to
 /// multiply them together takes a fraction of the time.
 class SensorRows {
  public:
-  explicit SensorRows(Eigen::Index width) : raw_(RowMatrix::Zero(kLookBack + kBatch, width)) {}
+  explicit SensorRows(Eigen::Index width) : raw_(RowMatrix::Zero(kLookBack + kBatchRows, width)) {}
 
   /// Where the next row goes; zero but for what was put there.
   [[nodiscard]] auto next() { return raw_.row(kLookBack + waiting_); }
@@ -30,7 +24,7 @@ class SensorRows {
     ++waiting_;
     if (!counted) first_ = waiting_;
   }
-  [[nodiscard]] bool is_full() const { return waiting_ == kBatch; }
+  [[nodiscard]] bool is_full() const { return waiting_ == kBatchRows; }
 
   /// Whitened rows that count; they wait no longer.
   Eigen::Ref<const RowMatrix> take(const SensorWhitening& white, RowMatrix& batch) {
@@ -69,7 +63,7 @@ class Collector {
         statistics_(statistics),
         rows_per_block_(std::max<std::size_t>(1, static_cast<std::size_t>(block_s * signals.rate_hz))),
         width_(width),
-        batch_(kBatch, width),
+        batch_(kBatchRows, width),
         rows_{SensorRows(width), SensorRows(width)} {
     statistics.block_s = block_s;
     for (auto& values : statistics.normalised) values.reserve(signals.rows);
@@ -93,7 +87,7 @@ class Collector {
     block_ = block;
     SensorRows& rows = rows_[sensor];
     put(innovation, 1.0 / (whitening_[sensor].scale[innovation.in_contact ? 1 : 0] * deviation), rows.next());
-    rows.push(++settled_[sensor] > kSettling);
+    rows.push(++settled_[sensor] > kSettlingRows);
     if (rows.is_full()) flush(sensor);
   }
 

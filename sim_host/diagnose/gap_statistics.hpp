@@ -11,6 +11,13 @@
 
 namespace morepro::host {
 
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Rows at the start of a stretch in which the observer still settles.
+inline constexpr std::size_t kSettlingRows = 50;
+/// A row beyond this many standard deviations counts as one of them (Huber).
+inline constexpr double kHuber = 5.0;
+
 /// Second moments of whitened rows [parameters | terms | innovation], block of time by block of time.
 struct GapStatistics {
   std::vector<Eigen::MatrixXd> block;

@@ -10,9 +10,9 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::size_t kMemory = 24;  // rows
-constexpr double kStiff = 1.0e-9;    // keeps a past that repeats itself solvable
-constexpr double kOutlier = 5.0;     // standard deviations: what moves on purpose tells nothing of the state
+constexpr std::size_t kMemory = 24;        // rows
+constexpr double kPastStiffness = 1.0e-9;  // keeps a past that repeats itself solvable
+constexpr double kLargestNews = 5.0;  // standard deviations: what moves on purpose tells nothing of the state
 
 /// From row to row; 0 where nothing is known.
 std::vector<double> changes_of(const std::vector<float>& input) {
@@ -40,7 +40,7 @@ Eigen::VectorXd memory_of(const std::vector<double>& change) {
   Eigen::MatrixXd past(kCount, kCount);
   for (Eigen::Index i = 0; i < kCount; ++i)
     for (Eigen::Index j = 0; j < kCount; ++j) past(i, j) = covariance(std::abs(i - j));
-  past.diagonal().array() += kStiff * covariance(0);
+  past.diagonal().array() += kPastStiffness * covariance(0);
   return past.ldlt().solve(covariance.tail(kCount));
 }
 
@@ -57,7 +57,7 @@ std::vector<float> news_of(const std::vector<float>& input) {
     news[i] = static_cast<float>(left);
     squares += left * left;
   }
-  const auto most = static_cast<float>(kOutlier * std::sqrt(squares / static_cast<double>(input.size())));
+  const auto most = static_cast<float>(kLargestNews * std::sqrt(squares / static_cast<double>(input.size())));
   for (float& value : news) value = std::clamp(value, -most, most);
   return news;
 }

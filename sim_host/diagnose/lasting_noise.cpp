@@ -9,7 +9,6 @@
 namespace morepro::host {
 namespace {
 
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 template <class T>
 using PerSensor = std::array<T, kSensorsPerAxis>;
 
@@ -24,39 +23,37 @@ constexpr Eigen::Index kOldest = kAges.back().last;
 /// Of the past of both sensors, and of what was new in the input.
 constexpr auto kTaps = static_cast<Eigen::Index>(InputNews::kTaps);
 constexpr auto kWeights = static_cast<Eigen::Index>(kAges.size() * kSensorsPerAxis) + kTaps;
-constexpr Eigen::Index kBatch = 256;
-constexpr std::size_t kSettling = 50;  // rows in which an observer does
-constexpr double kHuber = 5.0;         // standard deviations that a row counts for at most
-constexpr double kStiff = 1.0e-6;      // of the rows: keeps weights of columns that are nothing at zero
+constexpr Eigen::Index kPieceRows = 256;
+constexpr double kWeightStiffness = 1.0e-6;  // of the rows: keeps weights of columns that are nothing at zero
 
 using Weights = Eigen::Matrix<double, kWeights, 1>;
 
 /// Rows of one sensor in a piece of the recording, zero where it has none, and sums of those before.
-struct SensorRows {
-  explicit SensorRows(Eigen::Index width) : raw(RowMatrix::Zero(kOldest + kBatch, width)) {
-    past.fill(RowMatrix::Zero(kBatch, width));
+struct PieceOfSensor {
+  explicit PieceOfSensor(Eigen::Index width) : raw(RowMatrix::Zero(kOldest + kPieceRows, width)) {
+    past.fill(RowMatrix::Zero(kPieceRows, width));
     news.setZero();
   }
 
   void sum_up_past() {
     for (std::size_t group = 0; group < kAges.size(); ++group) {
-      past[group] = raw.middleRows(kOldest - kAges[group].first, kBatch);
+      past[group] = raw.middleRows(kOldest - kAges[group].first, kPieceRows);
       for (Eigen::Index age = kAges[group].first + 1; age <= kAges[group].last; ++age)
-        past[group] += raw.middleRows(kOldest - age, kBatch);
+        past[group] += raw.middleRows(kOldest - age, kPieceRows);
     }
   }
 
   void move_on() {
     raw.topRows(kOldest) = raw.bottomRows(kOldest).eval();
-    raw.bottomRows(kBatch).setZero();
+    raw.bottomRows(kPieceRows).setZero();
     news.setZero();
     counts = {};
   }
 
   RowMatrix raw;  ///< [columns | innovation]: the last ones of the piece before, then this one's
   std::array<RowMatrix, kAges.size()> past;  ///< of each group of ages
-  Eigen::Matrix<double, kBatch, kTaps> news;
-  std::array<bool, kBatch> counts{};
+  Eigen::Matrix<double, kPieceRows, kTaps> news;
+  std::array<bool, kPieceRows> counts{};
 };
 
 /// Moments of each sensor: [past innovations | columns | innovation], the last two less what `weights` make
@@ -67,21 +64,21 @@ class PastAndPresent {
       : weights_(weights),
         width_(width),
         news_(news),
-        batch_(kBatch, kWeights + width),
-        sensors_{SensorRows(width), SensorRows(width)} {
+        batch_(kPieceRows, kWeights + width),
+        sensors_{PieceOfSensor(width), PieceOfSensor(width)} {
     sums_.fill(Eigen::MatrixXd::Zero(kWeights + width, kWeights + width));
   }
 
   void begin_stretch(std::size_t first) {
     flush();
-    for (SensorRows& sensor : sensors_) sensor.raw.setZero();
+    for (PieceOfSensor& sensor : sensors_) sensor.raw.setZero();
     first_ = first;
-    settled_ = first + kSettling;
+    settled_ = first + kSettlingRows;
   }
 
   void take(const Innovation& innovation, double weight) {
-    for (; innovation.row >= first_ + kBatch; first_ += kBatch) flush();
-    SensorRows& sensor = sensors_[innovation.sensor];
+    for (; innovation.row >= first_ + kPieceRows; first_ += kPieceRows) flush();
+    PieceOfSensor& sensor = sensors_[innovation.sensor];
     const std::size_t i = innovation.row - first_;
     sensor.counts[i] = innovation.row >= settled_;
     auto row = sensor.raw.row(kOldest + static_cast<Eigen::Index>(i));
@@ -94,9 +91,9 @@ class PastAndPresent {
   }
 
   void flush() {
-    for (SensorRows& sensor : sensors_) sensor.sum_up_past();
+    for (PieceOfSensor& sensor : sensors_) sensor.sum_up_past();
     for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) add(sensor);
-    for (SensorRows& sensor : sensors_) sensor.move_on();
+    for (PieceOfSensor& sensor : sensors_) sensor.move_on();
   }
 
   [[nodiscard]] double rows(std::size_t sensor) const { return rows_[sensor]; }
@@ -115,24 +112,24 @@ class PastAndPresent {
  private:
   [[nodiscard]] Eigen::MatrixXd solved(std::size_t sensor, const Eigen::MatrixXd& right) const {
     Eigen::MatrixXd past = sums_[sensor].topLeftCorner(kWeights, kWeights);
-    past.diagonal().array() += kStiff * std::max(rows_[sensor], 1.0);
+    past.diagonal().array() += kWeightStiffness * std::max(rows_[sensor], 1.0);
     return past.selfadjointView<Eigen::Lower>().ldlt().solve(right);
   }
 
   void add(std::size_t sensor) {
-    const SensorRows& own = sensors_[sensor];
+    const PieceOfSensor& own = sensors_[sensor];
     if (std::none_of(own.counts.begin(), own.counts.end(), [](bool counts) { return counts; })) return;
     auto now = batch_.rightCols(width_);
-    now = own.raw.bottomRows(kBatch);
+    now = own.raw.bottomRows(kPieceRows);
     Eigen::Index next = 0;
-    for (const SensorRows* of : std::array<const SensorRows*, 2>{&own, &sensors_[1 - sensor]})
+    for (const PieceOfSensor* of : std::array<const PieceOfSensor*, 2>{&own, &sensors_[1 - sensor]})
       for (const RowMatrix& past : of->past) {
         batch_.col(next) = past.rightCols(1);
         now -= weights_[sensor](next++) * past;
       }
     batch_.middleCols(next, kTaps) = own.news;
     now.rightCols(1) -= own.news * weights_[sensor].tail(kTaps);
-    for (Eigen::Index i = 0; i < kBatch; ++i) {
+    for (Eigen::Index i = 0; i < kPieceRows; ++i) {
       const bool counts = own.counts[static_cast<std::size_t>(i)];
       const double size = std::fabs(now(i, width_ - 1));
       batch_.row(i) *= !counts ? 0.0 : size > kHuber ? std::sqrt(kHuber / size) : 1.0;
@@ -145,7 +142,7 @@ class PastAndPresent {
   Eigen::Index width_;
   const InputNews* news_;
   RowMatrix batch_;
-  PerSensor<SensorRows> sensors_;
+  PerSensor<PieceOfSensor> sensors_;
   PerSensor<Eigen::MatrixXd> sums_;
   PerSensor<double> rows_{};
   std::size_t first_ = 0;

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "sim_host/diagnose/sampling_checks.hpp"
 #include "sim_host/diagnose/spectral_lines.hpp"
+#include "sim_host/diagnose/turn.hpp"
 #include "sim_host/diagnose/white_innovations.hpp"
 
 namespace morepro::host {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 using Rows = std::vector<std::uint32_t>;
 

@@ -2,12 +2,11 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
+
+#include "sim_host/diagnose/turn.hpp"
 
 namespace morepro::host {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Phase of the line in every row, rad.
 Eigen::VectorXd phases_of(const LeftLine& line, const RecordingSignals& signals) {

@@ -11,7 +11,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoError = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLongestHorizonS = 1.0;
 constexpr double kFewestHorizons = 6.0;
 constexpr double kSettlingS = 0.25;
@@ -31,8 +31,8 @@ struct ErrorSum {
     expected += other.expected;
     count += other.count;
   }
-  [[nodiscard]] double rms() const { return count > 0.0 ? std::sqrt(squares / count) : kNone; }
-  [[nodiscard]] double expected_rms() const { return count > 0.0 ? std::sqrt(expected / count) : kNone; }
+  [[nodiscard]] double rms() const { return count > 0.0 ? std::sqrt(squares / count) : kNoError; }
+  [[nodiscard]] double expected_rms() const { return count > 0.0 ? std::sqrt(expected / count) : kNoError; }
 };
 using HorizonErrors = std::array<ErrorSum, kSensorsPerAxis>;
 
@@ -92,7 +92,7 @@ ModelError error_of(const std::vector<HorizonErrors>& horizons, std::size_t sens
   constexpr std::size_t kDraws = 400;
   ErrorSum all;
   for (const HorizonErrors& one : horizons) all.add(one[sensor]);
-  ModelError error{.value = all.rms() / unit, .interval90 = {kNone, kNone}};
+  ModelError error{.value = all.rms() / unit, .interval90 = {kNoError, kNoError}};
   if (horizons.size() < kFewestDrawn || !std::isfinite(error.value)) return error;
   std::vector<double> drawn(kDraws);
   for (std::size_t draw = 0; draw < kDraws; ++draw) {
@@ -117,9 +117,9 @@ double deviation_of(const RecordingSignals& signals, Channel channel) {
     squares += static_cast<double>(value) * static_cast<double>(value);
     count += 1.0;
   }
-  if (count < 2.0) return kNone;
+  if (count < 2.0) return kNoError;
   const double variance = squares / count - sum * sum / (count * count);
-  return variance > 0.0 ? std::sqrt(variance) : kNone;
+  return variance > 0.0 ? std::sqrt(variance) : kNoError;
 }
 
 struct WatchedBalance {

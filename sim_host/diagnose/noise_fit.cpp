@@ -13,7 +13,7 @@ constexpr double kMostShare = 100.0;
 constexpr std::size_t kStretches = 4;
 constexpr std::size_t kStretchRows = 2500;
 constexpr std::size_t kRoughRows = 1200;
-constexpr std::size_t kSettling = 200;
+constexpr std::size_t kNoiseSettling = 200;
 
 /// Over stretches of at most `length` rows.
 double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& model, std::size_t length) {
@@ -22,7 +22,7 @@ double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& 
   for (std::size_t i = 0; i < kStretches; ++i) {
     const std::size_t first = i * (signals.rows - length) / (kStretches - 1);
     run_observer(axis, signals, model, first, first + length, [&](const Innovation& v) {
-      if (v.row < first + kSettling) return;
+      if (v.row < first + kNoiseSettling) return;
       const double square = v.value * v.value / v.variance;
       // Beyond three deviations it grows like a heavy tail: outliers do not choose the noise.
       sum += std::log(v.variance) + (square < 9.0 ? square : 9.0 + 9.0 * std::log(square / 9.0));

@@ -8,12 +8,12 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kSurely = 4.0;             // standard deviations
-constexpr std::size_t kFewest = 50;         // windows that tell
+constexpr double kSureOfFloor = 4.0;        // standard deviations
+constexpr std::size_t kFewestWindows = 50;  // windows that tell
 constexpr double kMedianOfSquare = 0.4549;  // of a standard normal variable
 // A median of squares scatters 1.3 times as much about their mean as the mean itself about the truth.
 constexpr double kMedianScatter = 1.3;
-constexpr double kLeastShare = 0.05;
+constexpr double kLeastFloorShare = 0.05;
 
 std::complex<double> amplitude(const WindowResidual& window, std::size_t band) {
   if (band == 0) return window.row[0];
@@ -35,11 +35,11 @@ double lasting_share(std::span<const WindowResidual> windows, std::size_t band, 
     sum += amplitude(windows[i], band) * std::conj(amplitude(windows[i + 2], band));
     pairs += 1.0;
   }
-  if (pairs < kFewest) return 0.0;
+  if (pairs < kFewestWindows) return 0.0;
   // What does not pass zero is no wave: without periods it has to keep its sign.
   const double kept = band == 0 ? sum.real() : std::abs(sum);
   const double share = kept / (pairs * mean * rows_of_band(band));
-  return share > kSurely / std::sqrt(kOverlap * pairs) ? share : 0.0;
+  return share > kSureOfFloor / std::sqrt(kOverlap * pairs) ? share : 0.0;
 }
 
 double median_of(std::vector<double> values) {
@@ -58,13 +58,13 @@ double share_of_band(std::span<const WindowResidual> windows, std::size_t band, 
     sum += std::norm(amplitude(window, band));
   }
   const auto rows = static_cast<double>(squares.size());
-  if (!(rows >= static_cast<double>(kFewest) * rows_of_band(band)) || !(sum > 0.0)) return 1.0;
+  if (!(rows >= static_cast<double>(kFewestWindows) * rows_of_band(band)) || !(sum > 0.0)) return 1.0;
   const double mean = sum / rows;
   const double usual = median_of(std::move(squares)) / kMedianOfSquare;
   const double scatter = kMedianScatter * std::sqrt(2.0 / (kOverlap * rows));
-  const double without_few = usual < mean * (1.0 - kSurely * scatter) ? usual / mean : 1.0;
+  const double without_few = usual < mean * (1.0 - kSureOfFloor * scatter) ? usual / mean : 1.0;
   const double without_lasting = 1.0 - lasting_share(windows, band, contact, mean);
-  return std::clamp(std::min(without_few, without_lasting), kLeastShare, 1.0);
+  return std::clamp(std::min(without_few, without_lasting), kLeastFloorShare, 1.0);
 }
 
 }  // namespace

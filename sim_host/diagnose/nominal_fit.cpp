@@ -11,8 +11,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kSame = 20.0;     // deviance by which two ways to the same fit may differ
-constexpr double kHopeless = 0.1;  // deviance per row that no effect makes up for
+constexpr double kSame = 20.0;            // deviance by which two ways to the same fit may differ
+constexpr double kBeyondAnyEffect = 0.1;  // deviance per row that no effect makes up for
 // As a share of the sensor's: an observer that trusts its sensors looks one step ahead, where wrong
 // parameters are hardly more than a linear regression has them.
 constexpr double kOneStepNoise = 0.3;
@@ -86,7 +86,7 @@ std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   if (are_same) return {std::move(best)};
   if (other.unlikeliness() < best.unlikeliness()) std::swap(best, other);
   const double worse = other.unlikeliness() - best.unlikeliness();
-  const double hopeless = kHopeless * static_cast<double>(start.signals().rows);
+  const double hopeless = kBeyondAnyEffect * static_cast<double>(start.signals().rows);
   if (worse > kSame && worse < hopeless) return {std::move(best), std::move(other)};
   return {std::move(best)};
 }

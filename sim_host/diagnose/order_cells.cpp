@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "sim_host/diagnose/significance.hpp"
+#include "sim_host/diagnose/turn.hpp"
 
 namespace morepro::host {
 namespace {
@@ -13,7 +13,6 @@ namespace {
 // So long that an order is told from its neighbours at any speed worth the name.
 constexpr std::size_t kRowsPerPiece = 2048;
 constexpr double kFewestTurns = 4.0;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// In ascending order.
 std::vector<int> orders_of(const MachineParameters& machine) {

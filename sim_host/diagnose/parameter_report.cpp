@@ -13,7 +13,7 @@ constexpr const char* kWithOffset =
 
 // Torque constant, friction and inertia have one common factor, which nothing but the contact torque fixes.
 constexpr const char* kGivenContact = "as far as the contact torque of the machine file is right";
-constexpr const char* kNoVoltage = "it needs the armature voltage, which is not recorded";
+constexpr const char* kNeedsVoltage = "it needs the armature voltage, which is not recorded";
 constexpr double kOneMotor = 0.05;  // by which the two constants of a motor may differ
 
 struct Named {
@@ -85,7 +85,7 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double error = standard_error_of(fit, i, all[i].refit);
     const bool is_told = error < kTold * std::fabs(all[i].refit) && all[i].refit != 0.0;
-    const std::string reason = is_unseen(fit, i) ? kNoVoltage
+    const std::string reason = is_unseen(fit, i) ? kNeedsVoltage
                                : is_told         ? assumption_of(fit, i)
                                                  : all[i].advice;
     results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told, reason});

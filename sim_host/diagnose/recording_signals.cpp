@@ -7,11 +7,10 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kWindingDegc = 25.0;
 constexpr double kCalmS =
     0.004;  // over so long before and after a sample a temperature is averaged, at least
 constexpr double kCalmestS = 1.0;
-constexpr double kSurely = 3.0;  // standard deviations
+constexpr double kDoubtDeviations = 3.0;  // standard deviations
 
 /// Means over samples on either side, the same number of both.
 class Means {
@@ -67,7 +66,7 @@ std::vector<float> calm(const std::vector<float>& value, double rate_hz) {
     double lowest = -std::numeric_limits<double>::infinity();
     double highest = std::numeric_limits<double>::infinity();
     for (;;) {
-      const double doubt = kSurely * std::sqrt(variance / means.samples(i, reach));
+      const double doubt = kDoubtDeviations * std::sqrt(variance / means.samples(i, reach));
       lowest = std::max(lowest, mean - doubt);
       highest = std::min(highest, mean + doubt);
       reach = 2 * std::max<std::size_t>(reach, 1);
@@ -205,7 +204,7 @@ RecordingSignals beginning_of(const RecordingSignals& signals, std::size_t rows)
 
 FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
                          Temperatures temperatures)
-    : signals_(signals), row_(first), winding_degc_(kWindingDegc), temperatures_(temperatures) {
+    : signals_(signals), row_(first), winding_degc_(kUnmeasuredWindingDegc), temperatures_(temperatures) {
   input_.engagement = machine.feed.engagement;
   input_.chip_load_mm = machine.tool.chip_load_mm;
   input_.tool_temperature_degc = machine.thermal.tool_degc;

@@ -10,6 +10,9 @@
 
 namespace morepro::host {
 
+/// Where it is not measured: that of the datasheet.
+inline constexpr double kUnmeasuredWindingDegc = 25.0;
+
 /// A recording in memory, on its sampling grid: rows that are missing are there, without samples.
 struct RecordingSignals {
   double rate_hz = 0.0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array kNoisyChannels{Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed,
                                     Channel::kFeedPosition};
-constexpr std::size_t kSampled = 20000;
+constexpr std::size_t kMostStepValues = 20000;
 constexpr double kStepError = 1.0e-3;  // relative: samples are recorded with seven digits
 constexpr double kCertain = 1.0e4;     // deviance: what stands in the samples is not a matter of chance
 
@@ -45,7 +45,7 @@ bool show_the_same(const RecordingSignals& signals, const Sensors& sensors, std:
 /// Takes rows out that repeat the one before, and returns how many more there are than chance makes: samples
 /// in steps are equal now and then, and then they are to those before the last one just as often.
 double leave_out_repeated_rows(RecordingSignals& signals, const Sensors& sensors) {
-  constexpr double kSurely = 5.0;  // standard deviations, beyond twice what chance makes
+  constexpr double kBeyondChance = 5.0;  // standard deviations, beyond twice what chance makes
   std::vector<std::size_t> repeated;
   std::size_t by_chance = 0;
   for (std::size_t row = 1; row < signals.rows; ++row) {
@@ -56,7 +56,7 @@ double leave_out_repeated_rows(RecordingSignals& signals, const Sensors& sensors
   }
   const auto chance = static_cast<double>(by_chance);
   const auto count = static_cast<double>(repeated.size());
-  if (!(count > 2.0 * chance + kSurely * std::sqrt(chance))) return 0.0;
+  if (!(count > 2.0 * chance + kBeyondChance * std::sqrt(chance))) return 0.0;
   for (const std::size_t row : repeated)
     for (const Channel channel : kNoisyChannels)
       if (signals.has(channel))
@@ -70,7 +70,7 @@ double step_of(const std::vector<float>& column) {
   std::vector<double> values;
   for (const float value : column) {
     if (value == value) values.push_back(static_cast<double>(value));
-    if (values.size() == kSampled) break;
+    if (values.size() == kMostStepValues) break;
   }
   const std::size_t samples = values.size();
   std::sort(values.begin(), values.end());

@@ -10,7 +10,7 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kMostLines = 6;
-constexpr std::ptrdiff_t kFewest = 256;
+constexpr std::ptrdiff_t kFewestKnown = 256;
 
 /// Is it no more than what a line between two frequencies leaves in those around it?
 bool is_beside(const SpectralLine& stronger, const SpectralLine& line, double per_cycle) {
@@ -24,7 +24,7 @@ bool is_beside(const SpectralLine& stronger, const SpectralLine& line, double pe
 SpectralLines find_lines(std::span<const float> white) {
   SpectralLines found;
   const auto is_known = [](float value) { return value != 0.0F; };
-  if (std::count_if(white.begin(), white.end(), is_known) < kFewest) return found;
+  if (std::count_if(white.begin(), white.end(), is_known) < kFewestKnown) return found;
   std::size_t length = 1;
   while (2 * length <= white.size()) length *= 2;
   std::vector<float> part(white.begin(), white.begin() + static_cast<std::ptrdiff_t>(length));

@@ -7,7 +7,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr const char* kNoVoltage = "not recorded: armature_voltage_v";
+constexpr const char* kVoltageNotRecorded = "not recorded: armature_voltage_v";
 
 /// The columns that are not recorded, one after the other.
 class Missing {
@@ -47,7 +47,7 @@ std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& sign
     return missing.need(Channel::kFeedForce).need_one_of(Channel::kFeedSpeed, Channel::kFeedPosition).text();
   }
   if (!machine.has_spindle) return "the machine file has no [spindle]";
-  if (balance == gap::Balance::kArmatureVoltage && signals.is_current_driven) return kNoVoltage;
+  if (balance == gap::Balance::kArmatureVoltage && signals.is_current_driven) return kVoltageNotRecorded;
   missing.need(Channel::kArmatureVoltage).need(Channel::kSpindleSpeed);
   if (balance == gap::Balance::kArmatureVoltage) missing.need(Channel::kArmatureCurrent);
   return missing.text();

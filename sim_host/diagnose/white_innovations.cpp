@@ -8,7 +8,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kRarely = 4.0;  // standard deviations
+constexpr double kChanceDeviations = 4.0;  // standard deviations
 
 }  // namespace
 
@@ -54,7 +54,7 @@ double predictable_deviance(const GapStatistics& statistics) {
     for (const auto& now : white)
       for (const auto& before : white) add(now, before, lag);
   // Each is a chi-square of one degree of freedom by chance.
-  return std::max(0.0, sum - count - kRarely * std::sqrt(2.0 * count));
+  return std::max(0.0, sum - count - kChanceDeviations * std::sqrt(2.0 * count));
 }
 
 }  // namespace morepro::host

@@ -7,8 +7,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::size_t kFewest = 400;  // for nine coefficients and two scales
-constexpr float kOutlier = 6.0F;
+constexpr std::size_t kFewestToWhiten = 400;  // for nine coefficients and two scales
+constexpr float kLargestNormalised = 6.0F;
 constexpr double kNegligible = 0.02;  // of a memory: costs more than it whitens
 
 double scale_of(std::span<const float> normalised, const std::vector<bool>& in_contact, bool contact) {
@@ -19,15 +19,15 @@ double scale_of(std::span<const float> normalised, const std::vector<bool>& in_c
     sum += static_cast<double>(normalised[i]) * static_cast<double>(normalised[i]);
     ++count;
   }
-  return count < kFewest ? 0.0 : std::sqrt(sum / static_cast<double>(count));
+  return count < kFewestToWhiten ? 0.0 : std::sqrt(sum / static_cast<double>(count));
 }
 
 std::vector<float> scaled(std::span<const float> normalised, const std::vector<bool>& in_contact,
                           const std::array<double, 2>& scale) {
   std::vector<float> values(normalised.size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] =
-        std::clamp(normalised[i] / static_cast<float>(scale[in_contact[i] ? 1 : 0]), -kOutlier, kOutlier);
+    values[i] = std::clamp(normalised[i] / static_cast<float>(scale[in_contact[i] ? 1 : 0]),
+                           -kLargestNormalised, kLargestNormalised);
   return values;
 }
 
@@ -52,7 +52,7 @@ SensorWhitening whitening_of(std::span<const float> normalised, const std::vecto
   constexpr auto& kLags = SensorWhitening::kLags;
   constexpr auto kCount = static_cast<Eigen::Index>(kLags.size());
   SensorWhitening whitening;
-  if (normalised.size() < kFewest) return whitening;
+  if (normalised.size() < kFewestToWhiten) return whitening;
   const double free = scale_of(normalised, in_contact, false);
   const double contact = scale_of(normalised, in_contact, true);
   const double known = free > 0.0 ? free : contact;

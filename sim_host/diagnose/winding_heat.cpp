@@ -11,12 +11,12 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kAmbientDegc = 25.0;
+constexpr double kColdDegc = 25.0;
 constexpr double kHottestK = 10.0;
 // A winding takes some seconds, an iron core minutes: in a recording of seconds that is the heat so far.
 constexpr std::array kTimesS{1.0, 3.0, 10.0, 30.0, 600.0};
 constexpr std::array kFinerFactors{1.6, 0.625, 1.25, 0.8};
-constexpr int kRounds = 2;
+constexpr int kRoundsWithoutHeat = 2;
 
 std::vector<float> heated(const RecordingSignals& signals, double time_s) {
   const auto& current_a = signals.value[index_of(Channel::kArmatureCurrent)];
@@ -33,7 +33,7 @@ std::vector<float> heated(const RecordingSignals& signals, double time_s) {
   const double hottest = std::max(*std::max_element(heat.begin(), heat.end()), 1.0e-300);
   std::vector<float> winding_degc(signals.rows);
   for (std::size_t i = 0; i < signals.rows; ++i)
-    winding_degc[i] = static_cast<float>(kAmbientDegc + kHottestK * heat[i] / hottest);
+    winding_degc[i] = static_cast<float>(kColdDegc + kHottestK * heat[i] / hottest);
   return winding_degc;
 }
 
@@ -60,7 +60,7 @@ void heat_winding_by_current(RecordingSignals& signals, const GapModel& datashee
     return;
   AxisFit without(Axis::kSpindle, signals, datasheet);
   without.narrow_down();
-  without.settle(kRounds);
+  without.settle(kRoundsWithoutHeat);
   RecordingSignals tried = signals;
   const auto evidence_with = [&](double time_s) {
     tried.calm_winding_degc = heated(signals, time_s);

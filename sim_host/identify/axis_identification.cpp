@@ -7,15 +7,15 @@
 namespace morepro::host {
 namespace {
 
-constexpr int kMostSteps = 60;        // a start that is far off, sampled slowly, needs twenty
-constexpr double kLargestStep = 0.7;  // of a logarithm
-constexpr double kSmallStep =
+constexpr int kMostPasses = 60;          // a start that is far off, sampled slowly, needs twenty
+constexpr double kLargestLogStep = 0.7;  // of a logarithm
+constexpr double kSettledStep =
     0.1;  // of a standard error: of steps that shrink by a quarter, the rest is three times that
 constexpr double kVague = 0.05;             // what is known no better need not stand still
 constexpr double kWorthIt = 3.0;            // log-likelihood that a larger process noise must bring
 constexpr std::size_t kNoiseRows = 100000;  // tell the process noise well enough
-constexpr double kLeastShare = 1.0e-8;
-constexpr double kMostShare = 10.0;
+constexpr double kLeastNoiseShare = 1.0e-8;
+constexpr double kMostNoiseShare = 10.0;
 
 using Shares = std::array<double, 2>;
 
@@ -53,7 +53,7 @@ class Search {
   void settle() {
     found_ = pass(share_, signals_.rows);
     has_settled_ = is_small_step(found_);
-    for (int step = 0; step < kMostSteps && !has_settled_; ++step) {
+    for (int step = 0; step < kMostPasses && !has_settled_; ++step) {
       move_to(found_.value);
       found_ = pass(share_, signals_.rows);
       has_settled_ = is_small_step(found_);
@@ -64,7 +64,7 @@ class Search {
   void move_to(const Values& values) {
     for (std::size_t j = 0; j < values.size(); ++j)
       if (at_[j] > 0.0)
-        at_[j] *= std::exp(std::clamp(std::log(values[j] / at_[j]), -kLargestStep, kLargestStep));
+        at_[j] *= std::exp(std::clamp(std::log(values[j] / at_[j]), -kLargestLogStep, kLargestLogStep));
   }
 
   bool is_small_step(const Result& next) const {
@@ -73,7 +73,7 @@ class Search {
       if (!(at_[j] > 0.0)) continue;  // no parameter
       const double step = std::abs(std::log(next.value[j] / at_[j]));
       const double deviation = std::sqrt(next.covariance(k, k));
-      if (deviation < kVague && !(step <= kSmallStep * deviation)) return false;
+      if (deviation < kVague && !(step <= kSettledStep * deviation)) return false;
     }
     return true;
   }
@@ -86,7 +86,7 @@ class Search {
     const auto climb = [&](double factor0, double factor1) {
       for (;;) {
         const Shares share{share_[0] * factor0, share_[1] * factor1};
-        if (std::max(share[0], share[1]) > kMostShare) return;
+        if (std::max(share[0], share[1]) > kMostNoiseShare) return;
         const double next = pass(share, rows).log_likelihood;
         if (!(next > likelihood + kWorthIt)) return;
         likelihood = next;
@@ -115,7 +115,7 @@ class Search {
   const OnPass& on_pass_;
   Values at_{};   ///< where the last pass was linearised
   Result found_;  ///< by that pass
-  Shares share_{kLeastShare, kLeastShare};
+  Shares share_{kLeastNoiseShare, kLeastNoiseShare};
   bool has_settled_ = false;
   int passes_ = 0;
 };

@@ -11,10 +11,10 @@
 namespace morepro::host {
 namespace {
 
-constexpr int kMostSteps = 20;
+constexpr int kMostBalanceSteps = 20;
 constexpr std::size_t kPieces = 50;
-constexpr double kSmallStep = 0.1;  // of a standard error
-constexpr double kLargestStep = 0.7;
+constexpr double kSmallBalanceStep = 0.1;  // of a standard error
+constexpr double kLargestBalanceStep = 0.7;
 
 template <class Balance>
 class Fit {
@@ -27,7 +27,7 @@ class Fit {
 
   AxisEstimate run() {
     bool has_settled = false;
-    for (int step = 0; step < kMostSteps && !has_settled; ++step) {
+    for (int step = 0; step < kMostBalanceSteps && !has_settled; ++step) {
       on_pass_();
       pass();
       has_settled = move();
@@ -122,8 +122,9 @@ class Fit {
     const Vector step = inverse * sum_;
     bool is_small = true;
     for (int j = 0; j < kAll; ++j) {
-      value_[static_cast<std::size_t>(j)] *= std::exp(std::clamp(step(j), -kLargestStep, kLargestStep));
-      is_small = is_small && std::abs(step(j)) <= kSmallStep * std::sqrt(told(j, j));
+      value_[static_cast<std::size_t>(j)] *=
+          std::exp(std::clamp(step(j), -kLargestBalanceStep, kLargestBalanceStep));
+      is_small = is_small && std::abs(step(j)) <= kSmallBalanceStep * std::sqrt(told(j, j));
     }
     return is_small;
   }

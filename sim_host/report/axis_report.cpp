@@ -11,7 +11,7 @@ namespace morepro::host {
 namespace {
 
 constexpr double kHorizonS = 1.0;
-constexpr double kSettlingS = 0.25;  // of an observer before it runs free
+constexpr double kObserverSettlingS = 0.25;  // of an observer before it runs free
 
 /// What was measured with an innovation of run_observer.
 class Measured {
@@ -42,7 +42,7 @@ void run_free(Axis axis, const RecordingSignals& signals, GapModel model, std::s
               std::size_t column, SeriesTable& table) {
   const Measured measured(axis, signals);
   const auto length = static_cast<std::size_t>(kHorizonS * signals.rate_hz);
-  const auto settling = static_cast<std::size_t>(kSettlingS * signals.rate_hz);
+  const auto settling = static_cast<std::size_t>(kObserverSettlingS * signals.rate_hz);
   for (std::size_t first = settling; first < signals.rows; first += length) {
     model.noise.free_from_s = signals.time_s(first);
     const std::size_t last = std::min(first + length, signals.rows);

@@ -9,8 +9,6 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kTwoSided95 = 1.96;
-
 using Spectrum = std::vector<std::complex<double>>;
 
 /// Hann, of unit mean square.

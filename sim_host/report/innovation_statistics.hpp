@@ -6,6 +6,9 @@
 
 namespace morepro::host {
 
+/// Standard deviations of a normal value within which 95 % lie.
+inline constexpr double kTwoSided95 = 1.96;
+
 /// Whiteness of a sequence of normalised innovations of any length, in fixed memory: spectrum and
 /// autocorrelation, averaged over segments.
 class InnovationStatistics {

@@ -9,12 +9,11 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kNoTerms = 1;
-constexpr double kWindingDegc = 25.0;  // where it is not measured: that of the datasheet
 /// After so many missing rows the state starts from the next measurement.
 constexpr std::uint64_t kMostMissing = 200;
 
-using Spindle = gap::SpindleObserver<double, kNoTerms, kMostApplied, kDelaySteps>;
-using Feed = gap::FeedObserver<double, kNoTerms, kMostApplied, kDelaySteps>;
+using LiveSpindle = gap::SpindleObserver<double, kNoTerms, kMostApplied, kDelaySteps>;
+using LiveFeed = gap::FeedObserver<double, kNoTerms, kMostApplied, kDelaySteps>;
 
 gap::GapNoise<double> noise_of(const MonitorConfiguration& c) {
   gap::GapNoise<double> noise = usual_noise(c.sensors);
@@ -35,7 +34,7 @@ struct LiveModel::Observers {
                 noise_of(m.configuration)),
         feed(m.configuration.machine, reference_point_of(m.configuration.machine), period_s,
              noise_of(m.configuration)) {
-    frame.winding_degc = kWindingDegc;
+    frame.winding_degc = kUnmeasuredWindingDegc;
     frame.input.engagement = m.configuration.machine.feed.engagement;
     frame.input.chip_load_mm = m.configuration.machine.tool.chip_load_mm;
     frame.input.tool_temperature_degc = m.configuration.machine.thermal.tool_degc;
@@ -101,10 +100,10 @@ struct LiveModel::Observers {
   std::uint64_t row = 0;
   std::uint16_t seen = 0;
   gap::GapFrame<double> frame;
-  Spindle spindle;
-  Feed feed;
-  Spindle::Rows spindle_rows;
-  Feed::Rows feed_rows;
+  LiveSpindle spindle;
+  LiveFeed feed;
+  LiveSpindle::Rows spindle_rows;
+  LiveFeed::Rows feed_rows;
 };
 
 LiveModel::LiveModel(const MachineDescription& machine) : observers_(std::make_unique<Observers>(machine)) {}

@@ -8,13 +8,13 @@
 #include "lib/monitor/reason.hpp"
 #include "sim_host/recording/recording_time.hpp"
 #include "sim_host/replay/names.hpp"
+#include "sim_host/report/innovation_statistics.hpp"
 
 namespace morepro::host {
 namespace {
 
 constexpr std::size_t kMostEvents = 200;
 constexpr std::size_t kSeriesOfMonitor = 6;
-constexpr double kTwoSided95 = 1.96;
 
 /// From what one would rather overlook to what one must not: a bucket shows the worst.
 constexpr std::array kStates{HealthState::kNotEnoughData, HealthState::kHealthy,     HealthState::kWatch,

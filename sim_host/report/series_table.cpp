@@ -15,7 +15,7 @@ constexpr double kDataBytes = 2.0e6;                 // of a page of 3 MB, of wh
 constexpr double kBytesPerBucket = 4.0 * 4.0 / 3.0;  // two 16-bit numbers in base64
 constexpr std::size_t kMostBuckets = 32768;          // more than any screen has columns
 constexpr double kSteps = 65534.0;
-constexpr std::uint16_t kNone = 65535;
+constexpr std::uint16_t kEmptyBucket = 65535;
 
 void append(std::uint16_t value, std::vector<std::uint8_t>& bytes) {
   bytes.push_back(static_cast<std::uint8_t>(value & 0xFFU));
@@ -39,8 +39,8 @@ bool encode(const Pyramid& pyramid, Json& series) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(4 * buckets.size());
   for (const Bucket& bucket : buckets) {
-    append(bucket.is_empty() ? kNone : step_of(static_cast<double>(bucket.low), range, false), bytes);
-    append(bucket.is_empty() ? kNone : step_of(static_cast<double>(bucket.high), range, true), bytes);
+    append(bucket.is_empty() ? kEmptyBucket : step_of(static_cast<double>(bucket.low), range, false), bytes);
+    append(bucket.is_empty() ? kEmptyBucket : step_of(static_cast<double>(bucket.high), range, true), bytes);
   }
   series["low"] = static_cast<double>(range.low);
   series["high"] = static_cast<double>(range.high);

@@ -6,7 +6,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::size_t kFewestBlocks = 16;
+constexpr std::size_t kFewestTrendBlocks = 16;
 /// What is left of a smooth curve is one long wander; it counts as so many independent values at least.
 constexpr double kFewestIndependent = 4.0;
 
@@ -51,7 +51,7 @@ void WearTrend::close() {
 }
 
 std::optional<TrendLine> WearTrend::line() const {
-  if (blocks_.size() < kFewestBlocks) return std::nullopt;
+  if (blocks_.size() < kFewestTrendBlocks) return std::nullopt;
   const auto n = static_cast<double>(blocks_.size());
   Block mean;
   for (const Block& block : blocks_) {
