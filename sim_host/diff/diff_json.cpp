@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 5> kVerdicts{"within", "out", "missing", "only_in_a", "only_in_b"};
+constexpr std::array<const char*, 5> kVerdictKeys{"within", "out", "missing", "only_in_a", "only_in_b"};
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
@@ -32,7 +32,7 @@ Json largest_of(const SignalDiff& signal) {
 
 Json signal_of(const SignalDiff& signal) {
   Json json{{"name", signal.name},
-            {"verdict", kVerdicts[static_cast<std::size_t>(signal.verdict)]},
+            {"verdict", kVerdictKeys[static_cast<std::size_t>(signal.verdict)]},
             {"tolerance", tolerance_of(signal.tolerance)},
             {"compared", signal.compared},
             {"out", signal.out},

@@ -9,7 +9,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::array<const char*, 5> kVerdicts{"within", "OUT", "MISSING", "ONLY IN A", "ONLY IN B"};
+constexpr std::array<const char*, 5> kVerdictWords{"within", "OUT", "MISSING", "ONLY IN A", "ONLY IN B"};
 
 std::string tolerance_text(const Tolerance& tolerance) {
   if (tolerance.relative == 0.0) return fmt::format("{:g}", tolerance.absolute);
@@ -28,7 +28,7 @@ std::string counts(const SignalDiff& signal) {
 }
 
 std::string signal_line(const SignalDiff& s, std::size_t width) {
-  const char* verdict = kVerdicts[static_cast<std::size_t>(s.verdict)];
+  const char* verdict = kVerdictWords[static_cast<std::size_t>(s.verdict)];
   if (s.verdict == SignalVerdict::kOnlyInA || s.verdict == SignalVerdict::kOnlyInB)
     return fmt::format("  {:<{}}  {}\n", s.name, width, verdict);
   const std::string largest = s.largest ? fmt::format("{:.6g}", s.largest->difference) : std::string("-");

@@ -14,7 +14,8 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKeys{"name", "size", "kind", "shape", "coefficients", "onset_s"};
+constexpr std::array<std::string_view, 6> kEffectKeys{"name",  "size",         "kind",
+                                                      "shape", "coefficients", "onset_s"};
 constexpr std::array<std::string_view, 4> kFormKeys{"name", "kind", "shape", "parts"};
 
 void read_coefficients(gap::AppliedEffect& one, const NamedTable& table) {
@@ -45,7 +46,7 @@ gap::AppliedEffect refined(gap::AppliedEffect one, const NamedTable& table) {
 }
 
 gap::AppliedEffect read_effect(const NamedTable& table, const MachineParameters& machine) {
-  table.check_keys(kKeys);
+  table.check_keys(kEffectKeys);
   const gap::Effect effect = table.effect();
   const gap::EffectScales<double> scales(machine, {});
   const double size = table.number("size");

@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kBuiltIn{"reference", "thesis"};
 
-constexpr std::uint16_t bits_of(std::initializer_list<Channel> channels) {
-  std::uint16_t bits = 0;
-  for (const Channel channel : channels) bits = static_cast<std::uint16_t>(bits | bit_of(channel));
-  return bits;
-}
-
 constexpr std::uint16_t kSpindleChannels =
     bits_of({Channel::kArmatureVoltage, Channel::kSpindleSpeed, Channel::kSpindleAngle,
              Channel::kArmatureCurrent, Channel::kWindingTemperature, Channel::kSpindleAcceleration});

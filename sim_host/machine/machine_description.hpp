@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <string>
@@ -12,6 +13,12 @@
 #include "sim_host/support/user_error.hpp"
 
 namespace morepro::host {
+
+constexpr std::uint16_t bits_of(std::initializer_list<Channel> channels) {
+  std::uint16_t bits = 0;
+  for (const Channel channel : channels) bits = static_cast<std::uint16_t>(bits | bit_of(channel));
+  return bits;
+}
 
 /// A machine as the program knows it: what the monitor is configured with, and what of it was really
 /// described.

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 13> kTables{"machine", "spindle",  "feed"
                                                    "thermal", "sampling", "sensors", "bank", "tuning",
                                                    "gap",     "wear",     "effects"};
 
-std::vector<std::string_view> keys_of(std::string_view table) {
+std::vector<std::string_view> machine_keys_of(std::string_view table) {
   std::vector<std::string_view> names;
   for (const MachineKey& key : machine_keys()) {
     if (key.table == table) names.push_back(key.key);
@@ -69,7 +69,7 @@ class MachineFile {
   void read_name() {
     const toml::table* table = file_.table("machine");
     if (table == nullptr) return;
-    file_.check_names(*table, keys_of("machine"), "key", " of [machine]");
+    file_.check_names(*table, machine_keys_of("machine"), "key", " of [machine]");
     const toml::node* node = table->get("name");
     if (node == nullptr) return;
     const auto name = node->value<std::string>();
@@ -96,7 +96,7 @@ class MachineFile {
   void read_table(std::string_view name) {
     const toml::table* table = file_.table(name);
     if (table == nullptr) return;
-    file_.check_names(*table, keys_of(name), "key", fmt::format(" of [{}]", name));
+    file_.check_names(*table, machine_keys_of(name), "key", fmt::format(" of [{}]", name));
     if (name == "contact") read_form(*table);
     for (const MachineKey& key : machine_keys()) {
       if (key.table == name) read_parameter(*table, key);
@@ -155,7 +155,7 @@ class MachineFile {
     const toml::table* table = file_.table("sampling");
     machine_.has_rate = table != nullptr;
     if (table == nullptr) return;
-    file_.check_names(*table, keys_of("sampling"), "key", " of [sampling]");
+    file_.check_names(*table, machine_keys_of("sampling"), "key", " of [sampling]");
     if (!table->contains("rate_hz")) {
       throw UserError(file_.place(table->source()),
                       "[sampling] has no 'rate_hz'; add it or remove the table");
@@ -185,8 +185,8 @@ class MachineFile {
     const toml::table* table = node.as_table();
     if (table == nullptr)
       throw UserError(file_.place(node.source()), fmt::format("'{0}' is no table; write [{0}]", name));
-    constexpr std::array<std::string_view, 2> kKeys{"noise", "lsb"};
-    file_.check_names(*table, kKeys, "key", fmt::format(" of [{}]", name));
+    constexpr std::array<std::string_view, 2> kSensorKeys{"noise", "lsb"};
+    file_.check_names(*table, kSensorKeys, "key", fmt::format(" of [{}]", name));
     if (!table->contains("noise")) {
       throw UserError(file_.place(table->source()),
                       fmt::format("[{}] has no 'noise'; add its standard deviation", name));

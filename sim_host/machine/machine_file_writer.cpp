@@ -22,7 +22,7 @@ bool is_described(const MachineDescription& machine, std::string_view table) {
   return machine.has_contact;
 }
 
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -146,7 +146,7 @@ std::string sensor_tables(const Sensors& sensors) {
 }
 
 std::string text_of(const MachineDescription& machine, std::string_view words, const Unstated& unstated) {
-  std::string text = fmt::format("[machine]\nname = {}\n", quoted(machine.name));
+  std::string text = fmt::format("[machine]\nname = {}\n", toml_string(machine.name));
   text += parameter_tables(machine);
   text += fmt::format("\n[sampling]\nrate_hz = {}\n", machine.configuration.sampling.rate_hz);
   text += sensor_tables(machine.configuration.sensors);

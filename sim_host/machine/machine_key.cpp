@@ -11,7 +11,7 @@ using Machine = MachineParameters;
 using Needed = MachineKey::Needed;
 using Range = MachineKey::Range;
 
-constexpr std::array kKeys{
+constexpr std::array kMachineKeys{
     MachineKey{"spindle", "torque_constant_nm_a",
                [](Machine& m) -> double& { return m.spindle.torque_constant_nm_a; }},
     MachineKey{"spindle", "back_emf_constant_vs_rad",
@@ -61,12 +61,12 @@ constexpr std::array kKeys{
 
 }  // namespace
 
-std::span<const MachineKey> machine_keys() { return kKeys; }
+std::span<const MachineKey> machine_keys() { return kMachineKeys; }
 
 std::string full_name(const MachineKey& key) { return fmt::format("{}.{}", key.table, key.key); }
 
 void set_neutral(std::string_view table, MachineParameters& machine) {
-  for (const MachineKey& key : kKeys) {
+  for (const MachineKey& key : kMachineKeys) {
     if (key.table == table) key.of(machine) = key.neutral;
   }
 }

@@ -54,7 +54,7 @@ constexpr auto kWear = &Configuration::wear;
 constexpr auto kSpindle = &GapTuning::spindle;
 constexpr auto kFeed = &GapTuning::feed;
 
-constexpr std::array kKeys{
+constexpr std::array kSettingKeys{
     hypotheses(),
     positive(setting<kGrid, &HypothesisGrid::first_mm>(
         "bank", "first_hypothesis_mm", "contact",
@@ -100,7 +100,7 @@ constexpr std::array kKeys{
 
 }  // namespace
 
-std::span<const SettingKey> setting_keys() { return kKeys; }
+std::span<const SettingKey> setting_keys() { return kSettingKeys; }
 
 std::string full_name(const SettingKey& key) { return fmt::format("{}.{}", key.table, key.key); }
 

@@ -14,7 +14,7 @@
 namespace morepro::host {
 namespace {
 
-std::vector<std::string_view> keys_of(std::string_view table) {
+std::vector<std::string_view> setting_keys_of(std::string_view table) {
   std::vector<std::string_view> names;
   for (const SettingKey& key : setting_keys())
     if (key.table == table) names.push_back(key.key);
@@ -36,7 +36,7 @@ void read_value(MachineToml& file, const toml::table& table, const SettingKey& k
 void read_table(MachineToml& file, std::string_view name, MachineDescription& machine) {
   const toml::table* table = file.table(name);
   if (table == nullptr) return;
-  file.check_names(*table, keys_of(name), "key", fmt::format(" of [{}]", name));
+  file.check_names(*table, setting_keys_of(name), "key", fmt::format(" of [{}]", name));
   for (const SettingKey& key : setting_keys())
     if (key.table == name) read_value(file, *table, key, machine);
 }

@@ -10,12 +10,6 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::uint16_t bits_of(std::initializer_list<Channel> channels) {
-  std::uint16_t bits = 0;
-  for (const Channel channel : channels) bits = static_cast<std::uint16_t>(bits | bit_of(channel));
-  return bits;
-}
-
 /// What one part of the evaluation needs: all of some signals, and one of some others (0: of none).
 struct Need {
   std::string_view name;

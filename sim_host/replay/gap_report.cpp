@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 using gap::GapVerdict;
 
 // The digits that a float32 has, not the ones that its double has.
-Json readable(float value) {
+Json readable_or_null(float value) {
   return std::isfinite(value) ? Json(std::stod(fmt::format("{}", value))) : Json(nullptr);
 }
 
@@ -47,8 +47,8 @@ nlohmann::ordered_json gap_json(const gap::GapFinding& finding) {
           {"where", is_named ? Json(gap::name_of(finding.where)) : Json(nullptr)},
           {"effect", is_named ? Json(gap::name_of(finding.effect)) : Json(nullptr)},
           {"alias_set", std::move(aliases)},
-          {"confidence", is_named ? readable(finding.confidence) : Json(nullptr)},
-          {"evidence", has_evidence(finding.verdict) ? readable(finding.evidence) : Json(nullptr)}};
+          {"confidence", is_named ? readable_or_null(finding.confidence) : Json(nullptr)},
+          {"evidence", has_evidence(finding.verdict) ? readable_or_null(finding.evidence) : Json(nullptr)}};
 }
 
 std::string gap_text(const gap::GapFinding& finding) {

@@ -10,7 +10,7 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kRateTolerance = 1.0e-3;
+constexpr double kDescribedRateTolerance = 1.0e-3;
 
 /// Those that are possible: whether all of them are is asked where the configuration is used.
 void take_effects(const MonitorConfiguration& configuration, MachineDescription& machine) {
@@ -50,7 +50,7 @@ MachineDescription choose(const RecordingReader& recording, const std::string& a
 
 void take_rate(MachineDescription& machine, const RecordingInfo& info, std::vector<std::string>& notices) {
   const double described_hz = machine.configuration.sampling.rate_hz;
-  if (std::fabs(info.rate_hz / described_hz - 1.0) <= kRateTolerance) return;
+  if (std::fabs(info.rate_hz / described_hz - 1.0) <= kDescribedRateTolerance) return;
   if (!machine.is_built_in && machine.has_rate) {
     notices.push_back(
         fmt::format("{}: sampled at {} Hz, the machine file says {} Hz; the recording's rate is used",

@@ -13,9 +13,9 @@ namespace {
 constexpr std::uint64_t kStream = 1000;
 
 bool can_be_wrong(const MachineKey& key) {
-  constexpr std::array<std::string_view, 3> kOfFeed{"mass_kg", "contact_force_n", "viscous_friction_ns_m"};
+  constexpr std::array<std::string_view, 3> kFeedKeys{"mass_kg", "contact_force_n", "viscous_friction_ns_m"};
   if (key.table == "spindle") return true;
-  return key.table == "feed" && std::find(kOfFeed.begin(), kOfFeed.end(), key.key) != kOfFeed.end();
+  return key.table == "feed" && std::find(kFeedKeys.begin(), kFeedKeys.end(), key.key) != kFeedKeys.end();
 }
 
 }  // namespace

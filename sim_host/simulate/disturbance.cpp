@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kCorrelationS = 1.0e-3;
 
-enum Stream : std::uint64_t { kTorque = 200, kForce = 201, kVoltage = 202 };
+enum DisturbanceStream : std::uint64_t { kTorqueStream = 200, kForceStream = 201, kVoltageStream = 202 };
 
 }  // namespace
 
@@ -15,9 +15,9 @@ Disturbance::Disturbance(const MonitorConfiguration& configuration, double fract
                          std::uint64_t seed)
     : keep_(std::exp(-step_s / kCorrelationS)),
       renew_(std::sqrt(1.0 - keep_ * keep_)),
-      torque_(mixed(seed, kTorque)),
-      force_(mixed(seed, kForce)),
-      voltage_(mixed(seed, kVoltage)) {
+      torque_(mixed(seed, kTorqueStream)),
+      force_(mixed(seed, kForceStream)),
+      voltage_(mixed(seed, kVoltageStream)) {
   const auto rate = [&](Channel channel) {
     return fraction * std::sqrt(configuration.sensors[channel].variance()) / kCorrelationS;
   };

@@ -10,19 +10,19 @@
 namespace morepro::host {
 namespace {
 
-enum Stream : std::uint64_t { kFastVoltage = 1, kSlowVoltage = 2, kForce = 3 };
+enum ProfileStream : std::uint64_t { kFastVoltageSignal = 1, kSlowVoltageSignal = 2, kForceSignal = 3 };
 
 // +-4 N on the 3 kg axis of the built-in machines moves it visibly against its speed sensor.
 constexpr double kForceDitherNKg = 4.0 / 3.0;
 
 double force_noise(std::uint64_t seed, double time_s) {
-  return binary_signal(mixed(seed, kForce), time_s, 30.0e-3);
+  return binary_signal(mixed(seed, kForceSignal), time_s, 30.0e-3);
 }
 
 /// A fast and a slow part, each +1 or -1.
 double voltage_noise(std::uint64_t seed, double time_s) {
-  return binary_signal(mixed(seed, kFastVoltage), time_s, 1.0e-3) +
-         binary_signal(mixed(seed, kSlowVoltage), time_s, 20.0e-3);
+  return binary_signal(mixed(seed, kFastVoltageSignal), time_s, 1.0e-3) +
+         binary_signal(mixed(seed, kSlowVoltageSignal), time_s, 20.0e-3);
 }
 
 bool is_on(double time_s, double on_s, double period_s) { return std::fmod(time_s, period_s) < on_s; }
@@ -128,7 +128,8 @@ Command Profile::commissioning(double time_s) const {
   constexpr std::array kFractions{1.0, 0.85, 1.1, 0.9, 1.05, 0.8};
   const auto step = static_cast<std::size_t>(time_s) % kFractions.size();
   Command command = controlled(time_s, kFractions[step], point_.chip_load_mm);
-  command.voltage_v = 0.05 * point_.voltage_v * binary_signal(mixed(seed_, kSlowVoltage), time_s, 20.0e-3);
+  command.voltage_v =
+      0.05 * point_.voltage_v * binary_signal(mixed(seed_, kSlowVoltageSignal), time_s, 20.0e-3);
   command.force_dither_n = 0.5 * force_scale_n_ * force_noise(seed_, time_s);
   command.contact = is_on(time_s, 0.5, 1.0) ? 0.0 : 1.0;
   return command;
@@ -136,7 +137,8 @@ Command Profile::commissioning(double time_s) const {
 
 Command Profile::production(double time_s) const {
   Command command = controlled(time_s, 1.0, point_.chip_load_mm);
-  command.voltage_v = 0.002 * point_.voltage_v * binary_signal(mixed(seed_, kSlowVoltage), time_s, 20.0e-3);
+  command.voltage_v =
+      0.002 * point_.voltage_v * binary_signal(mixed(seed_, kSlowVoltageSignal), time_s, 20.0e-3);
   command.contact = time_s >= 1.5 * spin_up_s_ ? 1.0 : 0.0;
   return command;
 }

@@ -3,7 +3,7 @@
 namespace morepro::host {
 namespace {
 
-enum Stream : std::uint64_t { kClock = 300, kDropout = 301 };
+enum SamplingStream : std::uint64_t { kClockStream = 300, kDropoutStream = 301 };
 
 /// In [0, 1).
 double uniform(std::uint64_t seed, std::uint64_t index) {
@@ -16,8 +16,8 @@ SamplingEffects::SamplingEffects(std::span<const gap::AppliedEffect> effects, st
     : quantum_(source(effects, gap::Effect::kSensorQuantization)),
       jitter_(source(effects, gap::Effect::kClockJitter)),
       dropout_(source(effects, gap::Effect::kSampleDropout)),
-      clock_(mixed(seed, kClock)),
-      dropout_seed_(mixed(seed, kDropout)) {}
+      clock_(mixed(seed, kClockStream)),
+      dropout_seed_(mixed(seed, kDropoutStream)) {}
 
 SamplingEffects::Source SamplingEffects::source(std::span<const gap::AppliedEffect> effects,
                                                 gap::Effect effect) {

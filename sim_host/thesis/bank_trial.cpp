@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLanes = 11;
 constexpr int kContact = 500, kCut = 2000, kLongCut = 3000, kAfterChange = 2500, kEnd = 500;
 constexpr double kPeriodS = 1.0e-4;
-constexpr int kSubSteps = 5;
+constexpr int kIntegrationSteps = 5;
 constexpr double kToolDegc = 500.0;
 
 /// What of the real machine is not as stated.
@@ -74,7 +74,7 @@ MonitorConfiguration configuration_of(const Subject& subject, const Condition& c
 class RealMachine {
  public:
   RealMachine(const MonitorConfiguration& c, std::uint64_t seed)
-      : sensors_(c.sensors), integrator_(c.machine, kPeriodS / kSubSteps), noise_(seed) {}
+      : sensors_(c.sensors), integrator_(c.machine, kPeriodS / kIntegrationSteps), noise_(seed) {}
 
   PlantInput<double> input{.armature_voltage_v = 0.0,
                            .feed_force_n = 0.0,
@@ -84,7 +84,7 @@ class RealMachine {
                            .tool_temperature_degc = kToolDegc};
 
   void step() {
-    for (int k = 0; k < kSubSteps; ++k) state_ = integrator_.step(state_, input);
+    for (int k = 0; k < kIntegrationSteps; ++k) state_ = integrator_.step(state_, input);
   }
   SpindleMeasurement<float> measure() {
     const auto& speed = sensors_[Channel::kSpindleSpeed];

@@ -10,7 +10,7 @@
 namespace morepro::host::thesis {
 namespace {
 
-constexpr std::uint64_t kShownEvery = 100;
+constexpr std::uint64_t kFramesPerShown = 100;
 
 // Of the printed filter, relative to the machine's true values; the thesis states neither.
 constexpr double kStartFraction = 0.3;
@@ -22,7 +22,7 @@ std::uint64_t frames_of(const IdentificationSetting& setting) {
 
 template <class Value>
 void keep(IdentificationTrace& trace, std::uint64_t frame, Value value) {
-  if (frame % kShownEvery != 0) return;
+  if (frame % kFramesPerShown != 0) return;
   trace.time_s.push_back(static_cast<double>(frame) * DrivenMachine::kPeriodS);
   for (std::size_t j = 0; j < kParameterCount; ++j) trace.value[j].push_back(value(j));
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "sim_host/kinematics/degree.hpp"
 #include "sim_host/kinematics/trajectory.hpp"
 #include "sim_host/thesis/demonstration_path.hpp"
 #include "sim_host/thesis/figure.hpp"
@@ -13,8 +13,7 @@ namespace {
 
 using Rows = std::vector<TrajectoryRow>;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr std::size_t kShownEvery = 10;
+constexpr std::size_t kRowsPerShown = 10;
 /// After this many time constants of the CLIK its start is forgotten: e^-12 of 5 cm are 0.3 um.
 constexpr double kForgotten = 12.0;
 
@@ -27,12 +26,12 @@ Rows rows_along(const KinematicsJob& job) {
 template <class Value>
 std::vector<double> column(const Rows& rows, Value value) {
   std::vector<double> result;
-  for (std::size_t k = 0; k < rows.size(); k += kShownEvery) result.push_back(value(rows[k]));
+  for (std::size_t k = 0; k < rows.size(); k += kRowsPerShown) result.push_back(value(rows[k]));
   return result;
 }
 
 template <class Value>
-Curve curve(std::string label, const Rows& rows, Value value) {
+Curve curve_over_rows(std::string label, const Rows& rows, Value value) {
   return {.label = std::move(label), .y = column(rows, value)};
 }
 
@@ -50,8 +49,8 @@ template <class Member>
 std::vector<Curve> axes(const Rows& rows, Member member) {
   std::vector<Curve> curves;
   for (int i = 0; i < 3; ++i)
-    curves.push_back(curve(std::string(1, static_cast<char>('x' + i)), rows,
-                           [&](const TrajectoryRow& row) { return member(row.tool)(i); }));
+    curves.push_back(curve_over_rows(std::string(1, static_cast<char>('x' + i)), rows,
+                                     [&](const TrajectoryRow& row) { return member(row.tool)(i); }));
   return curves;
 }
 
@@ -91,7 +90,7 @@ Figure path_figure(const KinematicsJob& job, const Rows& rows) {
   for (std::size_t k = 1; k < rows.size(); ++k)
     way.push_back(way.back() + (rows[k].tool.position_m - rows[k - 1].tool.position_m).norm());
   std::vector<double> shown;
-  for (std::size_t k = 0; k < way.size(); k += kShownEvery) shown.push_back(way[k]);
+  for (std::size_t k = 0; k < way.size(); k += kRowsPerShown) shown.push_back(way[k]);
   figure.charts = {{.title = "Tool along the path",
                     .unit = "m",
                     .x_name = "way, m",
@@ -115,8 +114,9 @@ Figure tool_figure(int number, const char* title, const Rows& rows) {
     case 14:
       figure.charts = {
           over_time("Position", "m", rows, axes(rows, [](const auto& tool) { return tool.position_m; })),
-          over_time("Roll", "rad", rows,
-                    {curve("roll", rows, [](const TrajectoryRow& row) { return row.tool.angles_rad(0); })})};
+          over_time("Roll", "rad", rows, {curve_over_rows("roll", rows, [](const TrajectoryRow& row) {
+                      return row.tool.angles_rad(0);
+                    })})};
       break;
     case 15:
       figure.charts = {
@@ -144,8 +144,8 @@ double distance_from_closed_form(const KinematicsJob& job, const Rows& rows) {
 Figure joint_figure(const KinematicsJob& job, const Rows& rows) {
   Figure figure{.number = 17, .section = "3.4", .title = "Trajectory in the joint space"};
   const auto joint = [&](std::size_t i) {
-    return curve(joint_names(job.chain.table)[i], rows,
-                 [i](const TrajectoryRow& row) { return row.joints[i]; });
+    return curve_over_rows(joint_names(job.chain.table)[i], rows,
+                           [i](const TrajectoryRow& row) { return row.joints[i]; });
   };
   figure.charts = {over_time("Slides", "m", rows, {joint(0), joint(1), joint(2)}),
                    over_time("Turn", "rad", rows, {joint(3)})};
