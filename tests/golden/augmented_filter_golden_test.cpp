@@ -20,18 +20,12 @@ using test::golden_machine;
 
 /// The golden order: w, v, i, then the logarithms of Kt, In, m, F2, L, R, Kv.
 constexpr int kStates = 10;
-using Matrix = Eigen::Matrix<double, kStates, kStates>;
+using AugmentedMatrix = Eigen::Matrix<double, kStates, kStates>;
 using Order = std::array<int, kStates>;
 
 /// What the library's two filters are blocks of. Their own order, the moving elements of a block first.
 constexpr Order kSpindleFirst{0, 2, 3, 4, 7, 8, 9, 1, 5, 6};
 constexpr Order kFeedFirst{1, 0, 2, 3, 4, 7, 8, 9, 5, 6};
-
-Matrix matrix_of(const json& numbers) {
-  Matrix m;
-  for (int k = 0; k < m.size(); ++k) m(k / kStates, k % kStates) = numbers.at(static_cast<std::size_t>(k));
-  return m;
-}
 
 double number(const json& step, const char* key, std::size_t k) { return step[key][k].get<double>(); }
 
@@ -53,8 +47,8 @@ class AugmentedStep {
     predict_feed();
   }
 
-  [[nodiscard]] Matrix transition() const {
-    Matrix phi = Matrix::Identity();
+  [[nodiscard]] AugmentedMatrix transition() const {
+    AugmentedMatrix phi = AugmentedMatrix::Identity();
     for (int r = 0; r < 2; ++r) {
       const auto row = static_cast<std::size_t>(r);
       for (int c = 0; c < 2; ++c)
@@ -72,9 +66,9 @@ class AugmentedStep {
   }
 
   /// P after the prediction, in the golden order.
-  [[nodiscard]] Matrix predicted_covariance() const {
+  [[nodiscard]] AugmentedMatrix predicted_covariance() const {
     using Block = UdCovariance<Real, kStates>;
-    Block spindle = loaded<Block>(matrix_of(step_["P"]), kSpindleFirst, 0);
+    Block spindle = loaded<Block>(test::golden_matrix<AugmentedMatrix>(step_["P"]), kSpindleFirst, 0);
     std::array<typename Block::Parameters, 2> g{};
     for (std::size_t r = 0; r < 2; ++r)
       for (std::size_t j = 0; j < 5; ++j) g[r][j] = g_[r][j];
@@ -96,7 +90,7 @@ class AugmentedStep {
   struct Posterior {
     std::array<double, 3> x;
     std::array<double, 7> theta;
-    Matrix covariance;
+    AugmentedMatrix covariance;
   };
   /// After the three measurements, from the file's own prediction of the state, by Runge and Kutta.
   [[nodiscard]] Posterior posterior() const {
@@ -176,7 +170,7 @@ class AugmentedStep {
 
   /// The factors of a covariance whose element k is `order[k]` of the golden one, behind `ahead` that are 0.
   template <class Ud>
-  static Ud loaded(const Matrix& p, const Order& order, std::size_t ahead) {
+  static Ud loaded(const AugmentedMatrix& p, const Order& order, std::size_t ahead) {
     Eigen::MatrixXd rest(kStates, kStates);
     for (int a = 0; a < kStates; ++a)
       for (int b = 0; b < kStates; ++b)
@@ -193,8 +187,8 @@ class AugmentedStep {
     return ud;
   }
   template <class Ud>
-  static Matrix stored(const Ud& ud, const Order& order, std::size_t ahead) {
-    Matrix p;
+  static AugmentedMatrix stored(const Ud& ud, const Order& order, std::size_t ahead) {
+    AugmentedMatrix p;
     for (std::size_t a = 0; a < kStates; ++a)
       for (std::size_t b = 0; b < kStates; ++b)
         p(order[a], order[b]) = double(ud.covariance(a + ahead, b + ahead));
@@ -213,22 +207,22 @@ class AugmentedStep {
   std::array<Real, 2> feed_g_{};
 };
 
-struct Tolerance {
+struct AugmentedTolerance {
   double step;        ///< of state and parameters, relative to value and standard deviation
   double covariance;  ///< relative to sqrt(P_ii P_jj)
 };
 
 // As suggested; 6e-12 is reached, what exp to third order leaves.
-constexpr Tolerance kDouble{1.0e-10, 1.0e-10};
+constexpr AugmentedTolerance kAugmentedDouble{1.0e-10, 1.0e-10};
 
 // In float a state is right to some roundings of 6e-8, reached: 4e-7. An entry of P is a sum of up to ten
 // products, of correlations that are rounded to 6e-8 and amplified by up to ten in an update, reached: 6e-6.
-constexpr Tolerance kFloat{1.0e-6, 1.0e-5};
+constexpr AugmentedTolerance kAugmentedFloat{1.0e-6, 1.0e-5};
 
 double deviation(const json& p, std::size_t k) { return std::sqrt(p[11 * k].get<double>()); }
 
-void expect_covariance(const Matrix& found, const json& numbers, double tolerance) {
-  const Matrix expected = matrix_of(numbers);
+void expect_augmented_covariance(const AugmentedMatrix& found, const json& numbers, double tolerance) {
+  const AugmentedMatrix expected = test::golden_matrix<AugmentedMatrix>(numbers);
   for (int i = 0; i < kStates; ++i)
     for (int j = 0; j < kStates; ++j)
       EXPECT_NEAR(found(i, j), expected(i, j), tolerance * std::sqrt(expected(i, i) * expected(j, j)))
@@ -236,11 +230,11 @@ void expect_covariance(const Matrix& found, const json& numbers, double toleranc
 }
 
 template <class Real>
-void expect_step(const json& step, const Tolerance& tolerance) {
+void expect_step(const json& step, const AugmentedTolerance& tolerance) {
   const AugmentedStep<Real> filter(step);
-  expect_covariance(filter.predicted_covariance(), step["P_pred"], tolerance.covariance);
+  expect_augmented_covariance(filter.predicted_covariance(), step["P_pred"], tolerance.covariance);
   const auto posterior = filter.posterior();
-  expect_covariance(posterior.covariance, step["P_post"], tolerance.covariance);
+  expect_augmented_covariance(posterior.covariance, step["P_post"], tolerance.covariance);
   for (std::size_t k = 0; k < 3; ++k) {
     const double x = number(step, "x_post", k);
     EXPECT_NEAR(posterior.x[k], x, tolerance.step * (std::abs(x) + deviation(step["P_pred"], k))) << k;
@@ -251,20 +245,10 @@ void expect_step(const json& step, const Tolerance& tolerance) {
   }
 }
 
-template <class Run>
-void for_every_step(Run run) {
-  int count = 0;
-  for (const json& step : test::golden_json("ekf_steps.json")) {
-    if (step["type"] != "augmented_ekf10") continue;
-    SCOPED_TRACE(step["set"].get<std::string>() + " " + std::to_string(count++));
-    run(step);
-  }
-  EXPECT_EQ(count, 8);
-}
-
 TEST(AugmentedFilterGolden, TransitionMatchesInDouble) {
-  for_every_step([](const json& step) {
-    const Matrix phi = AugmentedStep<double>(step).transition(), expected = matrix_of(step["Phi"]);
+  test::for_every_golden_step("augmented_ekf10", [](const json& step) {
+    const AugmentedMatrix phi = AugmentedStep<double>(step).transition(),
+                          expected = test::golden_matrix<AugmentedMatrix>(step["Phi"]);
     EXPECT_LE((phi - expected).cwiseAbs().maxCoeff(), 1.0e-12 * expected.cwiseAbs().maxCoeff());
   });
 }
@@ -273,7 +257,7 @@ TEST(AugmentedFilterGolden, TransitionMatchesInDouble) {
 // torque of a cut bends within a period: by 2.4e-6 of the speed under the thesis's law, 5e-14 in the air and
 // under the consistent law.
 TEST(AugmentedFilterGolden, PredictedStateIsRungeAndKuttasWhereTheTorqueIsStraight) {
-  for_every_step([](const json& step) {
+  test::for_every_golden_step("augmented_ekf10", [](const json& step) {
     const auto x = AugmentedStep<double>(step).predicted();
     const bool bends = step["set"] == "THESIS" && number(step, "u", 2) > 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -284,11 +268,13 @@ TEST(AugmentedFilterGolden, PredictedStateIsRungeAndKuttasWhereTheTorqueIsStraig
 }
 
 TEST(AugmentedFilterGolden, StepsMatchInDouble) {
-  for_every_step([](const json& step) { expect_step<double>(step, kDouble); });
+  test::for_every_golden_step("augmented_ekf10",
+                              [](const json& step) { expect_step<double>(step, kAugmentedDouble); });
 }
 
 TEST(AugmentedFilterGolden, StepsMatchInFloat) {
-  for_every_step([](const json& step) { expect_step<float>(step, kFloat); });
+  test::for_every_golden_step("augmented_ekf10",
+                              [](const json& step) { expect_step<float>(step, kAugmentedFloat); });
 }
 
 }  // namespace

@@ -15,11 +15,11 @@ using test::GoldenRow;
 using test::relative_error;
 
 // A handful of double operations, each 1.1e-16: 1e-14 leaves room for the power's last bits.
-constexpr double kDoubleTolerance = 1.0e-14;
+constexpr double kFrictionTolerance = 1.0e-14;
 
 // The float result of a power is within 2.4e-7, and beta is a difference of two terms: relative to the larger
 // term (not to beta, which crosses zero) four roundings and two powers make less than 1e-6.
-constexpr double kFloatTolerance = 1.0e-6;
+constexpr double kFrictionFloatTolerance = 1.0e-6;
 
 MachineParameters machine_of(const GoldenRow& row) {
   MachineParameters machine = row.text("form") == "literal" ? thesis_machine() : reference_machine();
@@ -32,8 +32,8 @@ TEST(FrictionGolden, CoefficientMatchesInDouble) {
   for (const GoldenRow& row : golden_csv("friction.csv")) {
     const ContactLaw<double> law(machine_of(row));
     const auto torque = law(row["w_rad_s"], row["CL_mm"], row["T_C"]);
-    EXPECT_LE(relative_error(torque.beta, row["beta_out"]), kDoubleTolerance) << "w " << row["w_rad_s"];
-    EXPECT_LE(relative_error(law.thermal_factor(row["T_C"]), row["thermal"]), kDoubleTolerance);
+    EXPECT_LE(relative_error(torque.beta, row["beta_out"]), kFrictionTolerance) << "w " << row["w_rad_s"];
+    EXPECT_LE(relative_error(law.thermal_factor(row["T_C"]), row["thermal"]), kFrictionTolerance);
     EXPECT_EQ(torque.flags, static_cast<int>(row["flags"])) << "w " << row["w_rad_s"];
   }
 }
@@ -48,7 +48,7 @@ TEST(FrictionGolden, CoefficientMatchesInFloat) {
     const double scale = double{law.speed_term(w).value + law.feed_term(w, chip).value};
     worst = std::max(worst, std::abs(beta - row["beta_out"]) / scale);
   }
-  EXPECT_LE(worst, kFloatTolerance);
+  EXPECT_LE(worst, kFrictionFloatTolerance);
   RecordProperty("worst_relative_error", std::to_string(worst));
 }
 
@@ -59,7 +59,7 @@ TEST(FrictionGolden, EquationTwelveMatchesOnItsWholeRange) {
     const double speed = row["Vc_m_min"] / (0.03 * machine.tool.diameter_mm);
     const double chip = row["f_mm_rev"] / machine.tool.teeth;
     const double beta = law.speed_term(speed).value - law.feed_term(speed, chip).value;
-    EXPECT_LE(relative_error(beta, row["beta"]), kDoubleTolerance) << row["Vc_m_min"] << " m/min";
+    EXPECT_LE(relative_error(beta, row["beta"]), kFrictionTolerance) << row["Vc_m_min"] << " m/min";
   }
 }
 

@@ -95,17 +95,6 @@ Posterior<Real> posterior_of(const json& step) {
   return result;
 }
 
-template <class Run>
-void for_every_step(Run run) {
-  int count = 0;
-  for (const json& step : test::golden_json("ekf_steps.json")) {
-    if (step["type"] != "param_ekf7") continue;
-    SCOPED_TRACE(step["set"].get<std::string>() + " " + std::to_string(count++));
-    run(step);
-  }
-  EXPECT_EQ(count, 8);
-}
-
 /// `tolerance` relative to sqrt(P_ii P_jj), and of theta to its value.
 template <class Real>
 void expect_posterior(const json& step, double tolerance) {
@@ -122,7 +111,7 @@ void expect_posterior(const json& step, double tolerance) {
 }
 
 TEST(ParameterFilterGolden, RowsMatchEquation22) {
-  for_every_step([](const json& step) {
+  test::for_every_golden_step("param_ekf7", [](const json& step) {
     const auto rows = rows_of<double>(step);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       EXPECT_NEAR(rows[r].derivative, step["g"][r], 1.0e-12 * std::abs(step["g"][r].get<double>()));
@@ -135,14 +124,15 @@ TEST(ParameterFilterGolden, RowsMatchEquation22) {
 }
 
 TEST(ParameterFilterGolden, StepsMatchInDouble) {
-  for_every_step([](const json& step) { expect_posterior<double>(step, 1.0e-10); });
+  test::for_every_golden_step("param_ekf7",
+                              [](const json& step) { expect_posterior<double>(step, 1.0e-10); });
 }
 
 // In float a balance is a difference of terms up to thirty times its result, each rounded to 6e-8: an
 // innovation is right to some 1e-6 of the largest term, and the parameters and P of a 7x7 prior whose
 // correlations amplify it by ten to 2e-5.
 TEST(ParameterFilterGolden, StepsMatchInFloat) {
-  for_every_step([](const json& step) { expect_posterior<float>(step, 2.0e-5); });
+  test::for_every_golden_step("param_ekf7", [](const json& step) { expect_posterior<float>(step, 2.0e-5); });
 }
 
 }  // namespace

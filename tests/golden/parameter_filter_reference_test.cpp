@@ -305,16 +305,16 @@ Worst compare_feed(const MonitorConfiguration& c) {
   return worst;
 }
 
-struct Tolerance {
+struct ReferenceTolerance {
   Worst spindle, feed;
 };
 
 // What is reached: 1.4e-9 and 1.3e-8 in the spindle, 5e-10 and 7e-10 in the feed axis. A step of a logarithm
 // is right to 3e-11, and some hundred of them add up before the measurements pull them back.
-constexpr Tolerance kDouble{{5.0e-9, 5.0e-8}, {5.0e-9, 5.0e-9}};
+constexpr ReferenceTolerance kReferenceDouble{{5.0e-9, 5.0e-8}, {5.0e-9, 5.0e-9}};
 
 // Reached: 2.2e-5 and 1.2e-4 in the spindle, 4.8e-4 and 6.4e-4 in the feed axis,.
-constexpr Tolerance kFloat{{1.0e-4, 5.0e-4}, {1.0e-3, 1.5e-3}};
+constexpr ReferenceTolerance kReferenceFloat{{1.0e-4, 5.0e-4}, {1.0e-3, 1.5e-3}};
 
 void expect_within(const Worst& found, const Worst& tolerance) {
   EXPECT_LE(found.value, tolerance.value);
@@ -322,16 +322,16 @@ void expect_within(const Worst& found, const Worst& tolerance) {
 }
 
 template <class Real>
-void expect_near(const Tolerance& tolerance) {
+void expect_near(const ReferenceTolerance& tolerance) {
   for (const auto& c : {thesis_configuration(), reference_configuration()}) {
     expect_within(compare_spindle<Real>(c), tolerance.spindle);
     expect_within(compare_feed<Real>(c), tolerance.feed);
   }
 }
 
-TEST(ParameterFilterReference, ThreeThousandFramesMatchInDouble) { expect_near<double>(kDouble); }
+TEST(ParameterFilterReference, ThreeThousandFramesMatchInDouble) { expect_near<double>(kReferenceDouble); }
 
-TEST(ParameterFilterReference, ThreeThousandFramesMatchInFloat) { expect_near<float>(kFloat); }
+TEST(ParameterFilterReference, ThreeThousandFramesMatchInFloat) { expect_near<float>(kReferenceFloat); }
 
 }  // namespace
 }  // namespace morepro

@@ -13,12 +13,6 @@ using nlohmann::json;
 using test::golden_machine;
 using Matrix3 = Eigen::Matrix<double, 3, 3>;
 
-Matrix3 matrix_of(const json& rows) {
-  Matrix3 m;
-  for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = rows.at(static_cast<std::size_t>(i)).get<double>();
-  return m;
-}
-
 template <class Real>
 PlantState<Real> state_of(const json& x) {
   return {static_cast<Real>(x[0].get<double>()), static_cast<Real>(x[1].get<double>()),
@@ -26,7 +20,7 @@ PlantState<Real> state_of(const json& x) {
 }
 
 template <class Real>
-PlantInput<Real> input_of(const json& step) {
+PlantInput<Real> plant_input_of(const json& step) {
   const MachineParameters machine = golden_machine(step["set"]);
   return {.armature_voltage_v = static_cast<Real>(step["u"][0].get<double>()),
           .feed_force_n = static_cast<Real>(step["u"][1].get<double>()),
@@ -39,9 +33,9 @@ PlantInput<Real> input_of(const json& step) {
 template <class Real>
 StateFilter<Real> filter_of(const json& step) {
   return StateFilter<Real>(golden_machine(step["set"]), step["h"], state_of<Real>(step["x"]),
-                           {.initial = matrix_of(step["P"]).cast<Real>(),
-                            .process = matrix_of(step["Q"]).cast<Real>(),
-                            .measurement = matrix_of(step["R"]).cast<Real>()});
+                           {.initial = test::golden_matrix<Matrix3>(step["P"]).cast<Real>(),
+                            .process = test::golden_matrix<Matrix3>(step["Q"]).cast<Real>(),
+                            .measurement = test::golden_matrix<Matrix3>(step["R"]).cast<Real>()});
 }
 
 template <class Real>
@@ -63,31 +57,31 @@ void expect_covariance(const Matrix3& p, const Matrix3& expected, double toleran
   }
 }
 
-struct Tolerance {
+struct StateTolerance {
   double estimate;    ///< of the state, relative to it plus its sigma, and of covariances
   double likelihood;  ///< of the normalised innovation squared, relative
 };
 
 // One step is about 300 operations in double and a well-conditioned 3x3 solution.
-constexpr Tolerance kDouble{1.0e-10, 1.0e-10};
+constexpr StateTolerance kStateDouble{1.0e-10, 1.0e-10};
 
 // In float an estimate is within ten roundings of 6e-8. An innovation is a difference of two speeds near 600
 // rad/s, each rounded to 3e-5 rad/s = 1e-4 sigma at worst; its square has twice that error relative to one
 // sigma.
-constexpr Tolerance kFloat{1.0e-6, 1.0e-4};
+constexpr StateTolerance kStateFloat{1.0e-6, 1.0e-4};
 
 template <class Real>
-void expect_step(const json& step, const Tolerance& tolerance) {
+void expect_step(const json& step, const StateTolerance& tolerance) {
   StateFilter<Real> filter = filter_of<Real>(step);
-  const PlantInput<Real> input = input_of<Real>(step);
+  const PlantInput<Real> input = plant_input_of<Real>(step);
   filter.predict(input);
-  const Matrix3 predicted = matrix_of(step["P_pred"]);
+  const Matrix3 predicted = test::golden_matrix<Matrix3>(step["P_pred"]);
   expect_state(filter.state(), step["x_pred"], predicted, tolerance.estimate);
   expect_covariance(filter.covariance().template cast<double>(), predicted, tolerance.estimate);
 
   const UpdateResult<Real> result = filter.update(state_of<Real>(step["y"]));
   EXPECT_EQ(result.status, UpdateStatus::kAccepted);
-  const Matrix3 posterior = matrix_of(step["P_post"]);
+  const Matrix3 posterior = test::golden_matrix<Matrix3>(step["P_post"]);
   expect_state(filter.state(), step["x_post"], posterior, tolerance.estimate);
   expect_covariance(filter.covariance().template cast<double>(), posterior, tolerance.estimate);
   EXPECT_NEAR(double(result.nis), step["NIS"], tolerance.likelihood * step["NIS"].get<double>());
@@ -95,38 +89,28 @@ void expect_step(const json& step, const Tolerance& tolerance) {
               tolerance.likelihood * (step["NIS"].get<double>() + 10.0));
 }
 
-template <class Run>
-void for_every_step(Run run) {
-  int count = 0;
-  for (const json& step : test::golden_json("ekf_steps.json")) {
-    if (step["type"] != "state_ekf3") continue;
-    SCOPED_TRACE(step["set"].get<std::string>() + " " + std::to_string(count++));
-    run(step);
-  }
-  EXPECT_EQ(count, 8);
-}
-
 TEST(StateFilterGolden, StepsMatchInDouble) {
-  for_every_step([](const json& step) { expect_step<double>(step, kDouble); });
+  test::for_every_golden_step("state_ekf3",
+                              [](const json& step) { expect_step<double>(step, kStateDouble); });
 }
 
 TEST(StateFilterGolden, StepsMatchInFloat) {
-  for_every_step([](const json& step) { expect_step<float>(step, kFloat); });
+  test::for_every_golden_step("state_ekf3", [](const json& step) { expect_step<float>(step, kStateFloat); });
 }
 
 TEST(StateFilterGolden, TransitionMatchesInDouble) {
-  for_every_step([](const json& step) {
-    const auto phi = filter_of<double>(step).transition(input_of<double>(step));
-    EXPECT_LE((phi - matrix_of(step["Phi"])).cwiseAbs().maxCoeff(), 1.0e-12);
+  test::for_every_golden_step("state_ekf3", [](const json& step) {
+    const auto phi = filter_of<double>(step).transition(plant_input_of<double>(step));
+    EXPECT_LE((phi - test::golden_matrix<Matrix3>(step["Phi"])).cwiseAbs().maxCoeff(), 1.0e-12);
   });
 }
 
 TEST(StateFilterGolden, ThesisOutputsMatchInDouble) {
-  for_every_step([](const json& step) {
+  test::for_every_golden_step("state_ekf3", [](const json& step) {
     StateFilter<double> filter = filter_of<double>(step);
-    filter.predict(input_of<double>(step));
+    filter.predict(plant_input_of<double>(step));
     ASSERT_EQ(filter.update(state_of<double>(step["y"])).status, UpdateStatus::kAccepted);
-    const auto output = filter.thesis_output(input_of<double>(step));
+    const auto output = filter.thesis_output(plant_input_of<double>(step));
     const double acceleration = step["bank_out_dw_i"][0];
     EXPECT_NEAR(output.acceleration_rad_s2, acceleration, 1.0e-10 * std::abs(acceleration));
     EXPECT_NEAR(output.current_a, step["bank_out_dw_i"][1], 1.0e-10 * output.current_a);

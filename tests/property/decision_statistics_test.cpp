@@ -9,20 +9,20 @@
 namespace morepro {
 namespace {
 
-constexpr std::size_t kN = 11;
+constexpr std::size_t kHypotheses = 11;
 constexpr int kRuns = 100;
 constexpr double kContact_s = 0.05;
 constexpr double kSwitch_s = 0.25;
 
-struct Case {
+struct DecisionCase {
   const char* name;
   MonitorConfiguration configuration;
   double first_mm, second_mm;
   double contact_ms, switch_ms;  // goals
 };
 
-const Case kThesis{"thesis", thesis_configuration(), 0.6, 0.3, 1.0, 5.0};
-const Case kReference{"reference", reference_configuration(), 0.05, 0.04, 10.0, 20.0};
+const DecisionCase kThesisCase{"thesis", thesis_configuration(), 0.6, 0.3, 1.0, 5.0};
+const DecisionCase kReferenceCase{"reference", reference_configuration(), 0.05, 0.04, 10.0, 20.0};
 
 struct Sample {
   std::size_t selected;
@@ -32,9 +32,9 @@ struct Sample {
 };
 
 /// 0.5 s at 10 kHz: contact at 0.05 s with the first chip load, the second one from 0.25 s.
-std::vector<Sample> run(const Case& test_case, std::uint64_t seed) {
+std::vector<Sample> run(const DecisionCase& test_case, std::uint64_t seed) {
   const auto& c = test_case.configuration;
-  SpindleTracker<kN> tracker(c);
+  SpindleTracker<kHypotheses> tracker(c);
   test::SpindleSimulation machine(c, seed);
   machine.input = {.armature_voltage_v = 48.0, .contact = 0.0, .tool_temperature_degc = 500.0};
   auto start = machine.measure();
@@ -58,7 +58,7 @@ std::vector<Sample> run(const Case& test_case, std::uint64_t seed) {
   return samples;
 }
 
-std::vector<std::vector<Sample>> run_all(const Case& test_case) {
+std::vector<std::vector<Sample>> run_all(const DecisionCase& test_case) {
   std::vector<std::vector<Sample>> runs;
   for (int seed = 1; seed <= kRuns; ++seed) runs.push_back(run(test_case, static_cast<std::uint64_t>(seed)));
   return runs;
@@ -78,15 +78,15 @@ double settled_ms(const std::vector<std::vector<Sample>>& runs, double from_s, d
   return static_cast<double>(settled + 1 - first) * 0.1;
 }
 
-std::size_t hypothesis_of(const Case& c, double chip_load_mm) {
+std::size_t hypothesis_of(const DecisionCase& c, double chip_load_mm) {
   return static_cast<std::size_t>(
       std::lround((chip_load_mm - c.configuration.grid.first_mm) / c.configuration.grid.step_mm));
 }
 
-class Decision : public testing::TestWithParam<Case> {};
+class Decision : public testing::TestWithParam<DecisionCase> {};
 
 TEST_P(Decision, IsRightInTimeAfterContactAndAfterAChange) {
-  const Case& c = GetParam();
+  const DecisionCase& c = GetParam();
   const auto runs = run_all(c);
   const double contact_ms = settled_ms(runs, kContact_s, kSwitch_s, hypothesis_of(c, c.first_mm));
   const double switch_ms = settled_ms(runs, kSwitch_s, 0.5, hypothesis_of(c, c.second_mm));
@@ -111,10 +111,10 @@ TEST_P(Decision, ContinuousChipLoadCoversItsError) {
   EXPECT_GE(covered, counted * 99 / 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(OnEveryMachine, Decision, testing::Values(kThesis, kReference),
+INSTANTIATE_TEST_SUITE_P(OnEveryMachine, Decision, testing::Values(kThesisCase, kReferenceCase),
                          [](const auto& instance) { return instance.param.name; });
 
-class OffGrid : public testing::TestWithParam<Case> {};
+class OffGrid : public testing::TestWithParam<DecisionCase> {};
 
 TEST_P(OffGrid, NeighboursShareTheProbabilityAndTheContinuousEstimateIsNear) {
   const auto runs = run_all(GetParam());
@@ -132,8 +132,9 @@ TEST_P(OffGrid, NeighboursShareTheProbabilityAndTheContinuousEstimateIsNear) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OnEveryMachine, OffGrid,
-                         testing::Values(Case{"thesis", thesis_configuration(), 0.55, 0.35, 0, 0},
-                                         Case{"reference", reference_configuration(), 0.055, 0.043, 0, 0}),
+                         testing::Values(DecisionCase{"thesis", thesis_configuration(), 0.55, 0.35, 0, 0},
+                                         DecisionCase{"reference", reference_configuration(), 0.055, 0.043, 0,
+                                                      0}),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

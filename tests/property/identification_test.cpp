@@ -95,14 +95,14 @@ double relative_error(const Experiment& run, std::size_t j, const ParameterEstim
   return std::abs(static_cast<double>(estimate.value) / values_of(run.truth.machine)[j] - 1.0);
 }
 
-struct Case {
+struct ExcitedCase {
   const char* name;
   MonitorConfiguration truth;
   double factor;
   double goal;  // relative
 };
 
-class Excited : public testing::TestWithParam<Case> {};
+class Excited : public testing::TestWithParam<ExcitedCase> {};
 
 TEST_P(Excited, FindsAllSevenParametersAndCoversTheErrors) {
   int covered = 0, counted = 0;
@@ -127,12 +127,13 @@ TEST_P(Excited, FindsAllSevenParametersAndCoversTheErrors) {
 }
 
 // Goals: 1 % from starts wrong by 30 %, 2 % from starts wrong by a factor of two, after 2 s.
-INSTANTIATE_TEST_SUITE_P(Identification, Excited,
-                         testing::Values(Case{"thesis_30_percent", thesis_configuration(), 1.3, 0.01},
-                                         Case{"reference_30_percent", reference_configuration(), 1.3, 0.01},
-                                         Case{"thesis_factor_2", thesis_configuration(), 2.0, 0.02},
-                                         Case{"reference_factor_2", reference_configuration(), 2.0, 0.02}),
-                         [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Identification, Excited,
+    testing::Values(ExcitedCase{"thesis_30_percent", thesis_configuration(), 1.3, 0.01},
+                    ExcitedCase{"reference_30_percent", reference_configuration(), 1.3, 0.01},
+                    ExcitedCase{"thesis_factor_2", thesis_configuration(), 2.0, 0.02},
+                    ExcitedCase{"reference_factor_2", reference_configuration(), 2.0, 0.02}),
+    [](const auto& instance) { return instance.param.name; });
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr int kLong = 1'000'000;  // a tenth: it is slow there, and the arithmetic is the same

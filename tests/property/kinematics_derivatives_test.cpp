@@ -10,7 +10,7 @@ namespace morepro::kinematics {
 namespace {
 
 constexpr int kChains = 300;
-constexpr double kStep = 1.0e-6;
+constexpr double kDifferenceS = 1.0e-6;
 
 JointVector<double> moved(JointVector<double> q, const JointVector<double>& rate, double time_s) {
   for (std::size_t i = 0; i < q.size(); ++i) q[i] += rate[i] * time_s;
@@ -20,11 +20,11 @@ JointVector<double> moved(JointVector<double> q, const JointVector<double>& rate
 /// The tool's speed by central differences of its pose.
 Twist<double> measured_speed(const Chain<double>& chain, const JointVector<double>& q,
                              const JointVector<double>& rate) {
-  const auto after = chain.frames(moved(q, rate, kStep)).tool();
-  const auto before = chain.frames(moved(q, rate, -kStep)).tool();
+  const auto after = chain.frames(moved(q, rate, kDifferenceS)).tool();
+  const auto before = chain.frames(moved(q, rate, -kDifferenceS)).tool();
   const Matrix3<double> turned = after.rotation * before.rotation.transpose();
   const Vector3<double> way_m = after.position_m - before.position_m;
-  return twist_of(way_m, rotation_vector(turned)) / (2.0 * kStep);
+  return twist_of(way_m, rotation_vector(turned)) / (2.0 * kDifferenceS);
 }
 
 // Rounding of positions up to 10 m, 2e-15, over the step of 2e-6 makes 1e-9; the third derivative leaves
@@ -64,7 +64,7 @@ TEST(KinematicsDerivatives, RateOfTheJacobianEqualsCentralDifferencesOnRandomCha
     const auto speed_at = [&](double time_s) {
       return tool_speed(chain, chain.jacobian(chain.frames(moved(q, rate, time_s))), rate);
     };
-    const Twist<double> measured = (speed_at(kStep) - speed_at(-kStep)) / (2.0 * kStep);
+    const Twist<double> measured = (speed_at(kDifferenceS) - speed_at(-kDifferenceS)) / (2.0 * kDifferenceS);
     const Twist<double> ours = rate_of_jacobian_times_rate(chain, chain.frames(q), rate);
     worst = std::max(worst, (ours - measured).cwiseAbs().maxCoeff());
   }

@@ -9,10 +9,13 @@
 
 #include "lib/gap/effect_size.hpp"
 #include "lib/monitor/monitor.hpp"
+#include "tests/support/reference_effect.hpp"
 #include "tests/support/spindle_frames.hpp"
 
 namespace morepro {
 namespace {
+
+using test::effect;
 
 bool is_sound(const Health& h) {
   float sum = h.chip_load_mm + h.chip_load_standard_error_mm + h.selected_probability +
@@ -89,11 +92,6 @@ TEST_P(Wild, RecoversWithoutAResetWhenTheMachineComesBack) {
   EXPECT_EQ(monitor->health().chip_load_state, ChipLoadState::kValid);
   EXPECT_NEAR(static_cast<double>(monitor->health().chip_load_mm), chip_load_mm,
               4.0 * static_cast<double>(monitor->health().chip_load_standard_error_mm));
-}
-
-gap::AppliedEffect effect(gap::Effect name, double size) {
-  const MachineParameters machine = reference_machine();
-  return gap::applied(name, size, {machine, gap::reference_point_of(machine)});
 }
 
 MonitorConfiguration with_effects(const MachineEffects& effects) {

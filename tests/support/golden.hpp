@@ -1,4 +1,7 @@
 #pragma once
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -80,6 +83,27 @@ PlantInput<Real> golden_input(const GoldenRow& row) {
           .engagement = static_cast<Real>(golden_machine(row.text("set")).feed.engagement),
           .chip_load_mm = static_cast<Real>(row["CL"]),
           .tool_temperature_degc = static_cast<Real>(row["T"])};
+}
+
+/// A matrix of a golden file, by rows.
+template <class Matrix>
+Matrix golden_matrix(const nlohmann::json& values) {
+  Matrix matrix;
+  for (Eigen::Index k = 0; k < matrix.size(); ++k)
+    matrix(k / matrix.cols(), k % matrix.cols()) = values.at(static_cast<std::size_t>(k)).get<double>();
+  return matrix;
+}
+
+/// Runs the golden steps of one type of filter.
+template <class Run>
+void for_every_golden_step(const char* type, Run run) {
+  int count = 0;
+  for (const nlohmann::json& step : golden_json("ekf_steps.json")) {
+    if (step["type"] != type) continue;
+    SCOPED_TRACE(step["set"].get<std::string>() + " " + std::to_string(count++));
+    run(step);
+  }
+  EXPECT_EQ(count, 8);
 }
 
 /// |value - expected| / |expected|; absolute where expected is 0.

@@ -13,9 +13,9 @@ using diagnose_test::said;
 using diagnose_test::SimulatedRun;
 using gap::Effect;
 
-constexpr double kJitterS = 5.0e-6;
+constexpr double kClockJitterS = 5.0e-6;
 
-SimulatedRun shaken_clock(double process_noise = 0.0, double jitter_s = kJitterS) {
+SimulatedRun shaken_clock(double process_noise = 0.0, double jitter_s = kClockJitterS) {
   return {
       .effects = {effect(Effect::kClockJitter, jitter_s)}, .duration_s = 2.0, .process_noise = process_noise};
 }
@@ -23,7 +23,7 @@ SimulatedRun shaken_clock(double process_noise = 0.0, double jitter_s = kJitterS
 // The larger one is three times the current's noise at its edges: the process noise that was fitted without
 // it has to be found anew.
 TEST(ClockJitter, IsNamedAloneWithItsSize) {
-  for (const double jitter_s : {kJitterS, 3.0 * kJitterS}) {
+  for (const double jitter_s : {kClockJitterS, 3.0 * kClockJitterS}) {
     const auto result = diagnosed(record(shaken_clock(0.5, jitter_s)), datasheet(0.1));
     ASSERT_EQ(result.which.size(), 1U) << said(result);
     EXPECT_EQ(result.which[0].effect, Effect::kClockJitter);
@@ -54,7 +54,7 @@ TEST(ClockJitter, IsToldFromRandomLoadAndRipple) {
             Verdict::kNoGap);
   const auto result = diagnosed(record(shaken_clock(1.0)), datasheet(0.0));
   ASSERT_EQ(result.which.size(), 1U) << said(result);
-  EXPECT_NEAR(result.which[0].magnitude, kJitterS, 0.2 * kJitterS);
+  EXPECT_NEAR(result.which[0].magnitude, kClockJitterS, 0.2 * kClockJitterS);
 }
 
 TEST(ClockJitter, IsNotWhatAWrongLawLeaves) {

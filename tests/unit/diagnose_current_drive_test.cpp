@@ -8,20 +8,20 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kRateHz = 10000.0;
-constexpr std::size_t kRows = 400;
+constexpr double kDrivenRateHz = 10000.0;
+constexpr std::size_t kDrivenRows = 400;
 
 /// A spindle that its current drives without friction, exactly: 1 N m/A on 1 kg m^2 each 0.1 ms.
 struct Spindle {
   Spindle() {
-    signals.rate_hz = kRateHz;
-    signals.rows = kRows;
+    signals.rate_hz = kDrivenRateHz;
+    signals.rows = kDrivenRows;
     double speed_rad_s = 1.0;
-    for (std::size_t i = 0; i < kRows; ++i) {
+    for (std::size_t i = 0; i < kDrivenRows; ++i) {
       const double here_a = current_a(i);
       put(Channel::kArmatureCurrent, here_a);
       put(Channel::kSpindleSpeed, speed_rad_s);
-      speed_rad_s += 0.5 * (here_a + current_a(i + 1)) / kRateHz;
+      speed_rad_s += 0.5 * (here_a + current_a(i + 1)) / kDrivenRateHz;
     }
     model.machine.spindle.torque_constant_nm_a = 1.0;
     model.machine.spindle.inertia_kgm2 = 1.0;
@@ -38,7 +38,7 @@ struct Spindle {
   [[nodiscard]] std::pair<double, std::size_t> innovations() const {
     double largest = 0.0;
     std::size_t of_current = 0;
-    run_observer(Axis::kSpindle, signals, model, 0, kRows, [&](const Innovation& v) {
+    run_observer(Axis::kSpindle, signals, model, 0, kDrivenRows, [&](const Innovation& v) {
       if (v.sensor == 1) ++of_current;
       if (v.sensor == 0 && v.row > 10) largest = std::max(largest, std::fabs(v.value));
     });
@@ -71,7 +71,7 @@ TEST(CurrentDrive, DoesNotDependOnTheElectricalValues) {
 
 TEST(CurrentDrive, LeavesARecordedVoltageAlone) {
   Spindle spindle;
-  for (std::size_t i = 0; i < kRows; ++i) spindle.put(Channel::kArmatureVoltage, 5.0);
+  for (std::size_t i = 0; i < kDrivenRows; ++i) spindle.put(Channel::kArmatureVoltage, 5.0);
   EXPECT_FALSE(drive_by_current(spindle.signals));
   EXPECT_TRUE(spindle.signals.has_electrics());
   EXPECT_EQ(spindle.signals.value[index_of(Channel::kArmatureVoltage)][7], 5.0F);

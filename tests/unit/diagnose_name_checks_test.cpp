@@ -23,12 +23,12 @@ void let_wander(RecordingSignals& signals, Channel channel, double size) {
   }
 }
 
-struct Case {
+struct WanderingCase {
   Channel channel;
   double size;
 };
 
-class WanderingSensor : public testing::TestWithParam<Case> {};
+class WanderingSensor : public testing::TestWithParam<WanderingCase> {};
 
 TEST_P(WanderingSensor, IsNoneOfTheCatalogue) {
   auto signals = record({.duration_s = 5.0, .seed = 3});
@@ -39,8 +39,8 @@ TEST_P(WanderingSensor, IsNoneOfTheCatalogue) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, WanderingSensor,
-                         testing::Values(Case{Channel::kArmatureCurrent, 0.05},
-                                         Case{Channel::kArmatureCurrent, 0.4}));
+                         testing::Values(WanderingCase{Channel::kArmatureCurrent, 0.05},
+                                         WanderingCase{Channel::kArmatureCurrent, 0.4}));
 
 // What does not wander is worth about as much as before.
 TEST(ConstantBias, KeepsItsName) {

@@ -6,7 +6,7 @@
 namespace morepro::diagnose_test {
 namespace {
 
-struct Case {
+struct LateCase {
   Effect effect;
   double size;
   double onset_error_s = 0.02;
@@ -14,9 +14,9 @@ struct Case {
   double size_error = 0.05;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << gap::name_of(c.effect); }
+void PrintTo(const LateCase& c, std::ostream* out) { *out << gap::name_of(c.effect); }
 
-class LateEffect : public testing::TestWithParam<Case> {};
+class LateEffect : public testing::TestWithParam<LateCase> {};
 
 TEST_P(LateEffect, IsNamedAloneWithItsSizeAndItsTime) {
   constexpr double kOnsetS = 2.37;
@@ -37,10 +37,11 @@ TEST_P(LateEffect, IsNamedAloneWithItsSizeAndItsTime) {
 
 // What grows from nothing is seen some time after it has begun; a bend does the work of the rest.
 INSTANTIATE_TEST_SUITE_P(, LateEffect,
-                         testing::Values(Case{Effect::kDriveLag, 1.0e-3}, Case{Effect::kFeedSpring, 40.0},
-                                         Case{Effect::kCurrentBias, 0.2},
-                                         Case{Effect::kToolWearRamp, 0.1, 0.1, 0.15},
-                                         Case{Effect::kFeedContactDrift, 40.0, 0.1, 0.15}));
+                         testing::Values(LateCase{Effect::kDriveLag, 1.0e-3},
+                                         LateCase{Effect::kFeedSpring, 40.0},
+                                         LateCase{Effect::kCurrentBias, 0.2},
+                                         LateCase{Effect::kToolWearRamp, 0.1, 0.1, 0.15},
+                                         LateCase{Effect::kFeedContactDrift, 40.0, 0.1, 0.15}));
 
 TEST(LateEffects, AreWrittenForAMachineThatHasThemNow) {
   const host::DiagnosisOptions options{.bootstrap_runs = 0, .excluded = {}};

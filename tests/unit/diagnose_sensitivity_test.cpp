@@ -19,13 +19,13 @@ using gap::Effect;
 
 constexpr std::size_t kSettling = 100;
 
-struct Parameter {
+struct SensedParameter {
   Axis axis;
   const char* name;
   double& (*of)(MachineParameters&);
 };
 
-const Parameter kSpindle[] = {
+const SensedParameter kSpindle[] = {
     {Axis::kSpindle, "torque constant",
      [](MachineParameters& m) -> double& { return m.spindle.torque_constant_nm_a; }},
     {Axis::kSpindle, "viscous friction",
@@ -36,7 +36,7 @@ const Parameter kSpindle[] = {
      [](MachineParameters& m) -> double& { return m.spindle.back_emf_constant_vs_rad; }},
     {Axis::kSpindle, "inductance", [](MachineParameters& m) -> double& { return m.spindle.inductance_h; }},
 };
-const Parameter kFeed[] = {
+const SensedParameter kFeed[] = {
     {Axis::kFeed, "mass", [](MachineParameters& m) -> double& { return m.feed.mass_kg; }},
     {Axis::kFeed, "viscous friction",
      [](MachineParameters& m) -> double& { return m.feed.viscous_friction_ns_m; }},
@@ -64,7 +64,7 @@ struct Likeness {
   double slope = 0.0;  ///< of the difference on the column
 };
 
-Likeness likeness(const Parameter& parameter, std::size_t column, const RecordingSignals& signals,
+Likeness likeness(const SensedParameter& parameter, std::size_t column, const RecordingSignals& signals,
                   const GapModel& model) {
   constexpr double kStep = 0.01;
   const auto at = [&](double factor) {

@@ -14,7 +14,7 @@ namespace {
 using host::Axis;
 using host::GapModel;
 
-struct Case {
+struct StretchCase {
   const char* name;
   Axis axis;
   gap::AppliedEffect effect;
@@ -24,9 +24,9 @@ struct Case {
   double most = 1.0e-4;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const StretchCase& c, std::ostream* out) { *out << c.name; }
 
-class Stretch : public testing::TestWithParam<Case> {};
+class Stretch : public testing::TestWithParam<StretchCase> {};
 
 /// Innovations in units of their standard deviation; of a row that shows nothing 0.
 std::vector<double> innovations(Axis axis, const RecordingSignals& signals, const GapModel& model,
@@ -64,12 +64,14 @@ TEST_P(Stretch, SeesWhatTheWholeSees) {
 INSTANTIATE_TEST_SUITE_P(
     , Stretch,
     testing::Values(
-        Case{"position", Axis::kFeed, effect(Effect::kFeedSpring, 200.0), {}},
-        Case{"way", Axis::kFeed, effect(Effect::kFeedSpring, 200.0), {Channel::kFeedPosition}},
-        Case{"cut", Axis::kFeed, effect(Effect::kFeedContactDrift, 100.0, 0.7), {}},
-        Case{"angle", Axis::kSpindle, effect(Effect::kSpindleCogging, 0.2), {Channel::kSpindleAngle}, 1.0e-2},
-        Case{"tooth", Axis::kFeed, effect(Effect::kFeedToothPassingForce, 20.0), {Channel::kSpindleAngle}},
-        Case{"wear", Axis::kSpindle, effect(Effect::kToolWearRamp, 0.2, 0.7), {}}),
+        StretchCase{"position", Axis::kFeed, effect(Effect::kFeedSpring, 200.0), {}},
+        StretchCase{"way", Axis::kFeed, effect(Effect::kFeedSpring, 200.0), {Channel::kFeedPosition}},
+        StretchCase{"cut", Axis::kFeed, effect(Effect::kFeedContactDrift, 100.0, 0.7), {}},
+        StretchCase{
+            "angle", Axis::kSpindle, effect(Effect::kSpindleCogging, 0.2), {Channel::kSpindleAngle}, 1.0e-2},
+        StretchCase{
+            "tooth", Axis::kFeed, effect(Effect::kFeedToothPassingForce, 20.0), {Channel::kSpindleAngle}},
+        StretchCase{"wear", Axis::kSpindle, effect(Effect::kToolWearRamp, 0.2, 0.7), {}}),
     [](const auto& param) { return std::string(param.param.name); });
 
 }  // namespace

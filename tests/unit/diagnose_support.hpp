@@ -14,6 +14,7 @@
 #include "sim_host/machine/machine_description.hpp"
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/simulate/simulation.hpp"
+#include "tests/support/reference_effect.hpp"
 
 namespace morepro::diagnose_test {
 
@@ -21,6 +22,7 @@ using gap::Effect;
 using host::DiagnosisResult;
 using host::MachineDescription;
 using host::RecordingSignals;
+using test::effect;
 
 /// One simulated recording of the reference machine.
 struct SimulatedRun {
@@ -31,13 +33,6 @@ struct SimulatedRun {
   MonitorConfiguration configuration = reference_configuration();
   double process_noise = 0.0;
 };
-
-inline gap::AppliedEffect effect(Effect name, double size, double onset_s = 0.0) {
-  const MachineParameters machine = reference_machine();
-  gap::AppliedEffect one = gap::applied(name, size, {machine, host::reference_point_of(machine)});
-  one.onset_s = onset_s;
-  return one;
-}
 
 inline RecordingSignals record(const SimulatedRun& run) {
   host::SimulationOptions options{.profile = run.profile, .duration_s = run.duration_s, .seed = run.seed};

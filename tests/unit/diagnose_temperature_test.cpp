@@ -9,19 +9,19 @@
 namespace morepro::host {
 namespace {
 
-constexpr std::size_t kRows = 2000;
-constexpr double kRateHz = 10000.0;
+constexpr std::size_t kHeatingRows = 2000;
+constexpr double kHeatingRateHz = 10000.0;
 
 /// A tool that heats by `slope` degC/s, with noise of its sensor.
 RecordingSignals heating(double slope_degc_s, double noise_degc) {
   RecordingSignals signals;
-  signals.rate_hz = kRateHz;
-  signals.rows = kRows;
+  signals.rate_hz = kHeatingRateHz;
+  signals.rows = kHeatingRows;
   signals.recorded = bit_of(Channel::kToolTemperature);
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0.0, noise_degc);
   auto& tool = signals.value[index_of(Channel::kToolTemperature)];
-  for (std::size_t row = 0; row < kRows; ++row)
+  for (std::size_t row = 0; row < kHeatingRows; ++row)
     tool.push_back(static_cast<float>(20.0 + slope_degc_s * signals.time_s(row) + noise(random)));
   return signals;
 }
@@ -30,7 +30,7 @@ RecordingSignals heating(double slope_degc_s, double noise_degc) {
 TEST(CalmTemperature, DoesNotLagBehindAToolThatHeats) {
   RecordingSignals signals = heating(2000.0, 1.0e-9);
   calm_temperatures(signals);
-  for (std::size_t row = 0; row < kRows; ++row)
+  for (std::size_t row = 0; row < kHeatingRows; ++row)
     ASSERT_NEAR(signals.calm_tool_degc[row], signals.value[index_of(Channel::kToolTemperature)][row], 1.0e-4)
         << row;
 }
@@ -47,7 +47,7 @@ double deviation(const RecordingSignals& signals, std::size_t first, std::size_t
 TEST(CalmTemperature, IsWithoutNoiseWhereItRests) {
   RecordingSignals signals = heating(0.0, 0.9);
   calm_temperatures(signals);
-  EXPECT_LT(deviation(signals, 320, kRows - 320, 20.0), 0.9 / 15.0);
+  EXPECT_LT(deviation(signals, 320, kHeatingRows - 320, 20.0), 0.9 / 15.0);
 }
 
 // Means that do not agree are not taken: 41 samples of the ramp in a mean of 81 are 2 degC, at the very bend.
@@ -56,11 +56,12 @@ TEST(CalmTemperature, IsNotSmearedWhereHeatingBegins) {
   constexpr double kSlopeDegcS = 2000.0;
   RecordingSignals signals = heating(0.0, 0.5);
   auto& tool = signals.value[index_of(Channel::kToolTemperature)];
-  for (std::size_t row = kBegin; row < kRows; ++row)
-    tool[row] += static_cast<float>(kSlopeDegcS * static_cast<double>(row - kBegin) / kRateHz);
+  for (std::size_t row = kBegin; row < kHeatingRows; ++row)
+    tool[row] += static_cast<float>(kSlopeDegcS * static_cast<double>(row - kBegin) / kHeatingRateHz);
   calm_temperatures(signals);
-  for (std::size_t row = 0; row < kRows; ++row) {
-    const double heated = row < kBegin ? 0.0 : kSlopeDegcS * static_cast<double>(row - kBegin) / kRateHz;
+  for (std::size_t row = 0; row < kHeatingRows; ++row) {
+    const double heated =
+        row < kBegin ? 0.0 : kSlopeDegcS * static_cast<double>(row - kBegin) / kHeatingRateHz;
     const bool is_bend = row + 80 > kBegin && row < kBegin + 80;
     ASSERT_NEAR(static_cast<double>(signals.calm_tool_degc[row]) - 20.0, heated, is_bend ? 3.0 : 0.6) << row;
   }
@@ -71,7 +72,7 @@ TEST(CalmTemperature, IsMissingWhereItsSampleIs) {
   auto& tool = signals.value[index_of(Channel::kToolTemperature)];
   for (std::size_t row = 100; row < 300; ++row) tool[row] = std::numeric_limits<float>::quiet_NaN();
   calm_temperatures(signals);
-  for (std::size_t row = 0; row < kRows; ++row)
+  for (std::size_t row = 0; row < kHeatingRows; ++row)
     ASSERT_EQ(std::isnan(signals.calm_tool_degc[row]), row >= 100 && row < 300) << row;
   EXPECT_TRUE(signals.calm_winding_degc.empty());
 }

@@ -20,18 +20,18 @@ double value_of(const MachineDescription& machine, std::string_view name) {
   return 0.0;
 }
 
-struct Case {
+struct DatasheetCase {
   const char* machine;
   host::ProfileKind profile;
   double fraction;
   double duration_s;
 };
 
-void PrintTo(const Case& c, std::ostream* out) {
+void PrintTo(const DatasheetCase& c, std::ostream* out) {
   *out << c.machine << ", " << static_cast<int>(c.profile) << ", " << c.fraction;
 }
 
-class WrongDatasheet : public testing::TestWithParam<Case> {};
+class WrongDatasheet : public testing::TestWithParam<DatasheetCase> {};
 
 TEST_P(WrongDatasheet, IsAllThatIsFound) {
   const MachineDescription truth = host::built_in_machine(GetParam().machine);
@@ -52,10 +52,10 @@ TEST_P(WrongDatasheet, IsAllThatIsFound) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, WrongDatasheet,
-                         testing::Values(Case{"thesis", host::ProfileKind::kProduction, 0.2, 20.0},
-                                         Case{"thesis", host::ProfileKind::kRich, 0.3, 3.0},
-                                         Case{"reference", host::ProfileKind::kProduction, 0.3, 3.0},
-                                         Case{"reference", host::ProfileKind::kRich, 0.3, 3.0}));
+                         testing::Values(DatasheetCase{"thesis", host::ProfileKind::kProduction, 0.2, 20.0},
+                                         DatasheetCase{"thesis", host::ProfileKind::kRich, 0.3, 3.0},
+                                         DatasheetCase{"reference", host::ProfileKind::kProduction, 0.3, 3.0},
+                                         DatasheetCase{"reference", host::ProfileKind::kRich, 0.3, 3.0}));
 
 // Half a percent is what a datasheet is printed with; a recording of this length tells a tenth of that.
 TEST(ExactDatasheet, IsOneThatIsRightToAFifthOfAPercent) {

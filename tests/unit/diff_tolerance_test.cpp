@@ -1,17 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "sim_host/diff/tolerances.hpp"
 #include "sim_host/support/user_error.hpp"
+#include "tests/support/not_finite.hpp"
 
 namespace morepro::host {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Case {
+struct ToleranceCase {
   double a, b;
   Tolerance tolerance;
   bool is_within;
@@ -19,30 +17,30 @@ struct Case {
 
 TEST(DiffTolerance, IsTheGreaterOfAbsoluteAndRelativeToTheBaseline) {
   for (const auto& [a, b, tolerance, expected] : {
-           Case{1.0, 1.0, {}, true},
-           Case{1.0, std::nextafter(1.0, 2.0), {}, false},
-           Case{8.0, 8.5, {0.5, 0.0}, true},
-           Case{8.0, 7.5, {0.5, 0.0}, true},
-           Case{8.0, 8.5625, {0.5, 0.0}, false},
-           Case{-8.0, -10.0, {0.0, 0.25}, true},
-           Case{-8.0, -10.125, {0.0, 0.25}, false},
-           Case{8.0, 10.0, {0.5, 0.25}, true},     // 2 by the share
-           Case{1.0, 1.5, {0.5, 0.25}, true},      // 0.5 absolute
-           Case{1.0, 1.625, {0.5, 0.25}, false},   // not their sum
-           Case{8.0, 10.125, {0.0, 0.25}, false},  // of A, which is 2, not of B
-           Case{0.0, 1.0e-300, {0.0, 1.0}, false},
-           Case{0.0, -0.0, {}, true},
+           ToleranceCase{1.0, 1.0, {}, true},
+           ToleranceCase{1.0, std::nextafter(1.0, 2.0), {}, false},
+           ToleranceCase{8.0, 8.5, {0.5, 0.0}, true},
+           ToleranceCase{8.0, 7.5, {0.5, 0.0}, true},
+           ToleranceCase{8.0, 8.5625, {0.5, 0.0}, false},
+           ToleranceCase{-8.0, -10.0, {0.0, 0.25}, true},
+           ToleranceCase{-8.0, -10.125, {0.0, 0.25}, false},
+           ToleranceCase{8.0, 10.0, {0.5, 0.25}, true},     // 2 by the share
+           ToleranceCase{1.0, 1.5, {0.5, 0.25}, true},      // 0.5 absolute
+           ToleranceCase{1.0, 1.625, {0.5, 0.25}, false},   // not their sum
+           ToleranceCase{8.0, 10.125, {0.0, 0.25}, false},  // of A, which is 2, not of B
+           ToleranceCase{0.0, 1.0e-300, {0.0, 1.0}, false},
+           ToleranceCase{0.0, -0.0, {}, true},
        })
     EXPECT_EQ(is_within(a, b, tolerance), expected) << a << " " << b;
 }
 
 TEST(DiffTolerance, KnowsNoNearInfinity) {
   const Tolerance any{1.0e300, 1.0};
-  EXPECT_TRUE(is_within(kInfinity, kInfinity, {}));
+  EXPECT_TRUE(is_within(test::kInfinity<double>, test::kInfinity<double>, {}));
   EXPECT_TRUE(is_within(NAN, NAN, {}));
-  EXPECT_FALSE(is_within(kInfinity, -kInfinity, any));
-  EXPECT_FALSE(is_within(kInfinity, 1.0, any));
-  EXPECT_FALSE(is_within(1.0, kInfinity, any));
+  EXPECT_FALSE(is_within(test::kInfinity<double>, -test::kInfinity<double>, any));
+  EXPECT_FALSE(is_within(test::kInfinity<double>, 1.0, any));
+  EXPECT_FALSE(is_within(1.0, test::kInfinity<double>, any));
   EXPECT_FALSE(is_within(NAN, 1.0, any));
   EXPECT_FALSE(is_within(1.0, NAN, any));
 }

@@ -12,19 +12,19 @@
 namespace morepro {
 namespace {
 
-constexpr std::size_t kN = 8;
+constexpr std::size_t kBankLanes = 8;
 constexpr double kPeriod_s = 1.0e-4;
 constexpr float kThermalFactor = 0.72F;  // some 500 degC
 
 template <class Real>
-std::array<Real, kN> grid(const MonitorConfiguration& c) {
-  std::array<Real, kN> lanes;
-  for (std::size_t j = 0; j < kN; ++j) lanes[j] = static_cast<Real>(c.grid.value_mm(j));
+std::array<Real, kBankLanes> grid(const MonitorConfiguration& c) {
+  std::array<Real, kBankLanes> lanes;
+  for (std::size_t j = 0; j < kBankLanes; ++j) lanes[j] = static_cast<Real>(c.grid.value_mm(j));
   return lanes;
 }
 
 template <class Real>
-Bank<Real, kN> make_bank(const MonitorConfiguration& c) {
+Bank<Real, kBankLanes> make_bank(const MonitorConfiguration& c) {
   return {c.machine,
           make_spindle_step<Real>(c.machine.spindle, kPeriod_s),
           grid<Real>(c),
@@ -71,7 +71,7 @@ class PlainFilter {
   double chip_load_;
 };
 
-struct Case {
+struct BankCase {
   const char* name;
   MonitorConfiguration configuration;
   double voltage_v = 48.0;
@@ -94,7 +94,7 @@ MonitorConfiguration ending_friction() {
   return c;
 }
 
-class EveryMachine : public testing::TestWithParam<Case> {};
+class EveryMachine : public testing::TestWithParam<BankCase> {};
 
 /// Runs a bank and plain filters side by side through spin-up, air and cut; largest relative differences.
 struct Difference {
@@ -102,12 +102,12 @@ struct Difference {
 };
 
 template <class Real>
-Difference compare_with_plain(const Case& test_case) {
+Difference compare_with_plain(const BankCase& test_case) {
   const auto& c = test_case.configuration;
   const double voltage_v = test_case.voltage_v;
   auto bank = make_bank<Real>(c);
   std::vector<PlainFilter> plain;
-  for (std::size_t j = 0; j < kN; ++j) plain.emplace_back(c, static_cast<double>(grid<Real>(c)[j]));
+  for (std::size_t j = 0; j < kBankLanes; ++j) plain.emplace_back(c, static_cast<double>(grid<Real>(c)[j]));
   bank.start(Real(0), Real(0), Real(1), Real(1));
   test::SpindleSimulation machine(c, 5);
   machine.input = {.armature_voltage_v = voltage_v,
@@ -126,7 +126,7 @@ Difference compare_with_plain(const Case& test_case) {
       filter.step({voltage_v, static_cast<double>(held.contact), static_cast<double>(held.thermal_factor)},
                   static_cast<double>(y.speed_rad_s), static_cast<double>(y.current_a),
                   static_cast<double>(y.speed_variance), static_cast<double>(y.current_variance));
-    for (std::size_t j = 0; j < kN; ++j) {
+    for (std::size_t j = 0; j < kBankLanes; ++j) {
       worst.state = std::max(worst.state, std::abs(static_cast<double>(bank.speed_rad_s(j)) - plain[j].w) /
                                               (1.0 + std::abs(plain[j].w)));
       worst.covariance = std::max(worst.covariance,
@@ -160,12 +160,13 @@ TEST_P(EveryMachine, BankInFloatFollowsPlainFilters) {
 
 INSTANTIATE_TEST_SUITE_P(
     Bank, EveryMachine,
-    testing::Values(Case{"reference", reference_configuration()},
-                    Case{"reference_backwards", reference_configuration(), -48.0},
-                    Case{"thesis", thesis_configuration()},
-                    Case{"thesis_backwards", thesis_configuration(), -48.0}, Case{"wide_grid", wide_grid()},
+    testing::Values(BankCase{"reference", reference_configuration()},
+                    BankCase{"reference_backwards", reference_configuration(), -48.0},
+                    BankCase{"thesis", thesis_configuration()},
+                    BankCase{"thesis_backwards", thesis_configuration(), -48.0},
+                    BankCase{"wide_grid", wide_grid()},
                     // A rounding decides on which side of the law's kink a float lane is.
-                    Case{"ending_friction", ending_friction(), 100.0, 0.05}),
+                    BankCase{"ending_friction", ending_friction(), 100.0, 0.05}),
     [](const auto& instance) { return instance.param.name; });
 
 TEST(Bank, AllHypothesesAgreeWithoutContact) {
@@ -174,7 +175,7 @@ TEST(Bank, AllHypothesesAgreeWithoutContact) {
   bank.start(0.0F, 0.0F, 1.0F, 1.0F);
   for (int k = 0; k < 500; ++k)
     bank.step({48.0F, 0.0F, kThermalFactor}, {static_cast<float>(k), 10.0F, 0.25F, 0.01F});
-  for (std::size_t j = 1; j < kN; ++j) {
+  for (std::size_t j = 1; j < kBankLanes; ++j) {
     EXPECT_EQ(bank.speed_rad_s(j), bank.speed_rad_s(0));
     EXPECT_EQ(bank.log_likelihood()[j], bank.log_likelihood()[0]);
   }
@@ -189,7 +190,7 @@ TEST(Bank, MissingChannelsLeaveThePredictionAsItIs) {
   blind.step({48.0F, 1.0F, kThermalFactor}, {1.0e6F, -1.0e5F, kUnmeasured, kUnmeasured});
   const auto step = make_spindle_step<double>(c.machine.spindle, kPeriod_s);
   const double variance = step.ww * step.ww + step.wi * step.wi * 0.01;
-  for (std::size_t j = 0; j < kN; ++j) {
+  for (std::size_t j = 0; j < kBankLanes; ++j) {
     EXPECT_EQ(bank.speed_rad_s(j), blind.speed_rad_s(j)) << "the value of a missing channel was used";
     EXPECT_NEAR(static_cast<double>(bank.speed_variance(j)), variance, 2.0e-3 * variance)
         << "variance must grow";
@@ -202,12 +203,12 @@ TEST(Bank, RepairsALaneWhoseMemoryHoldsNoNumber) {
   bank.start(577.0F, 2.2F, 1.0F, 0.01F);
   bank.step({48.0F, 1.0F, kThermalFactor}, {std::numeric_limits<float>::quiet_NaN(), 2.2F, 1.0F, 0.0025F});
   for (int k = 0; k < 3; ++k) bank.step({48.0F, 1.0F, kThermalFactor}, {577.5F, 2.2F, 1.0F, 0.0025F});
-  for (std::size_t j = 0; j < kN; ++j) {
+  for (std::size_t j = 0; j < kBankLanes; ++j) {
     EXPECT_NEAR(bank.speed_rad_s(j), 577.5F, 3.0F);
     EXPECT_GT(bank.speed_variance(j), 0.0F);
     EXPECT_TRUE(std::isfinite(bank.log_likelihood()[j]));
   }
-  EXPECT_GE(bank.repaired(), kN);
+  EXPECT_GE(bank.repaired(), kBankLanes);
 }
 
 TEST(Bank, FollowsReversalsThroughStandstill) {
@@ -222,7 +223,7 @@ TEST(Bank, FollowsReversalsThroughStandstill) {
     const auto held = machine.held();
     machine.step();
     bank.step(held, machine.measure());
-    for (std::size_t j = 0; j < kN; ++j)
+    for (std::size_t j = 0; j < kBankLanes; ++j)
       ASSERT_TRUE(bank.speed_variance(j) > 0.0F && bank.current_variance(j) > 0.0F) << k;
     ASSERT_NEAR(static_cast<double>(bank.speed_rad_s(3)), machine.state().speed_rad_s, 8.0) << k;
   }

@@ -8,12 +8,12 @@
 namespace morepro {
 namespace {
 
-constexpr std::size_t kN = 11;
-using Lanes = std::array<double, kN>;
+constexpr std::size_t kLaneCount = 11;
+using Lanes = std::array<double, kLaneCount>;
 
 Lanes lanes(const nlohmann::json& row) {
   Lanes result;
-  for (std::size_t j = 0; j < kN; ++j) result[j] = row.at(j).get<double>();
+  for (std::size_t j = 0; j < kLaneCount; ++j) result[j] = row.at(j).get<double>();
   return result;
 }
 
@@ -23,16 +23,16 @@ void expect_golden(Decision decision, const char* key) {
   for (std::size_t k = 0; k < golden.at("loglik").size(); ++k) {
     decision.step(lanes(golden.at("loglik").at(k)));
     const Lanes expected = lanes(golden.at(key).at(k));
-    for (std::size_t j = 0; j < kN; ++j)
+    for (std::size_t j = 0; j < kLaneCount; ++j)
       EXPECT_NEAR(decision.probability()[j], expected[j], 1.0e-13) << "step " << k;
   }
 }
 
 TEST(MarkovDecision, EqualsTheGoldenProbabilities) {
-  expect_golden(MarkovDecision<double, kN>(kN, 1.0e-4), "markov_filter");
+  expect_golden(MarkovDecision<double, kLaneCount>(kLaneCount, 1.0e-4), "markov_filter");
 }
 TEST(BayesianDecision, EqualsTheGoldenProbabilities) {
-  expect_golden(BayesianDecision<double, kN>(kN, 1.0e-6), "mmae");
+  expect_golden(BayesianDecision<double, kLaneCount>(kLaneCount, 1.0e-6), "mmae");
 }
 
 TEST(BayesianDecision, KeepsEveryHypothesisAboveItsFloor) {
@@ -45,23 +45,24 @@ TEST(BayesianDecision, KeepsEveryHypothesisAboveItsFloor) {
 
 TEST(MarkovDecision, FloatFollowsDouble) {
   const auto golden = test::golden_json("model_probability.json");
-  MarkovDecision<float, kN> decision(kN, 1.0e-4F);
+  MarkovDecision<float, kLaneCount> decision(kLaneCount, 1.0e-4F);
   for (std::size_t k = 0; k < golden.at("loglik").size(); ++k) {
-    std::array<float, kN> log_likelihood;
-    for (std::size_t j = 0; j < kN; ++j) log_likelihood[j] = golden.at("loglik").at(k).at(j).get<float>();
+    std::array<float, kLaneCount> log_likelihood;
+    for (std::size_t j = 0; j < kLaneCount; ++j)
+      log_likelihood[j] = golden.at("loglik").at(k).at(j).get<float>();
     decision.step(log_likelihood);
     // exp to 4e-7 and some ten roundings.
-    for (std::size_t j = 0; j < kN; ++j)
+    for (std::size_t j = 0; j < kLaneCount; ++j)
       EXPECT_NEAR(static_cast<double>(decision.probability()[j]),
                   golden.at("markov_filter").at(k).at(j).get<double>(), 3.0e-6);
   }
 }
 
 TEST(MarkovDecision, SumsToOneWhenNoHypothesisFits) {
-  MarkovDecision<float, kN> decision(kN, 1.0e-4F);
+  MarkovDecision<float, kLaneCount> decision(kLaneCount, 1.0e-4F);
   for (int k = 0; k < 1000; ++k) {
-    std::array<float, kN> log_likelihood;
-    for (std::size_t j = 0; j < kN; ++j)
+    std::array<float, kLaneCount> log_likelihood;
+    for (std::size_t j = 0; j < kLaneCount; ++j)
       log_likelihood[j] = -1.0e30F * static_cast<float>(j + 1 + static_cast<std::size_t>(k % 3));
     decision.step(log_likelihood);
     float sum = 0.0F;

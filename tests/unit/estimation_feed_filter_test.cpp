@@ -10,7 +10,7 @@
 namespace morepro {
 namespace {
 
-constexpr double kPeriod_s = 1.0e-4;
+constexpr double kFeedPeriod_s = 1.0e-4;
 
 PlantInput<double> cutting(double force_n) {
   return {.feed_force_n = force_n, .contact = 1.0, .engagement = 0.7};
@@ -23,16 +23,16 @@ FeedInput<Real> held(const PlantInput<double>& u) {
 
 TEST(FeedFilter, PredictsWhatThePlantDoes) {
   for (const auto& machine : {reference_machine(), thesis_machine()}) {
-    FeedFilter<double> filter(machine.feed, kPeriod_s, 1.0e-8);
+    FeedFilter<double> filter(machine.feed, kFeedPeriod_s, 1.0e-8);
     filter.start({0.0, 0.0, 1.0e-6, 1.0e-12});
-    const ExponentialIntegrator<double> plant(machine, kPeriod_s);
+    const ExponentialIntegrator<double> plant(machine, kFeedPeriod_s);
     PlantState<double> state{};
     double position_m = 0.0;
     for (int k = 0; k < 2000; ++k) {
       const auto u = cutting(30.0 + 5.0 * std::sin(0.01 * k));
       const double speed_before = state.feed_speed_m_s;
       state = plant.step(state, u);
-      position_m += kPeriod_s * 0.5 * (speed_before + state.feed_speed_m_s);
+      position_m += kFeedPeriod_s * 0.5 * (speed_before + state.feed_speed_m_s);
       filter.predict(held<double>(u));
     }
     // The speed is exact; the trapezoid of the position is not: h^2/12 times the change of the acceleration.
@@ -51,10 +51,10 @@ class FeedSensors : public testing::TestWithParam<Measured> {};
 TEST_P(FeedSensors, GiveTheSpeedWithTheVarianceThatIsClaimed) {
   const auto machine = reference_machine();
   const double speed_noise = 2.0e-3, position_noise = 1.0e-6, process_noise = 1.0e-4;
-  FeedFilter<float> filter(machine.feed, kPeriod_s, static_cast<float>(process_noise * process_noise));
+  FeedFilter<float> filter(machine.feed, kFeedPeriod_s, static_cast<float>(process_noise * process_noise));
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
-  const ExponentialIntegrator<double> plant(machine, kPeriod_s);
+  const ExponentialIntegrator<double> plant(machine, kFeedPeriod_s);
   PlantState<double> state{};
   double position_m = 0.0, normalised = 0.0, nis = 0.0;
   const int frames = 20000, counted_from = 2000;
@@ -65,7 +65,7 @@ TEST_P(FeedSensors, GiveTheSpeedWithTheVarianceThatIsClaimed) {
     state = plant.step(state, u);
     const double kick = process_noise * normal(random);
     state.feed_speed_m_s += kick;
-    position_m += kPeriod_s * (0.5 * (before + state.feed_speed_m_s));
+    position_m += kFeedPeriod_s * (0.5 * (before + state.feed_speed_m_s));
     filter.predict(held<float>(u));
     const FeedMeasurement<float> y{
         static_cast<float>(state.feed_speed_m_s + speed_noise * normal(random)),

@@ -1,15 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "lib/estimation/lane_gate.hpp"
+#include "tests/support/not_finite.hpp"
 
 namespace morepro {
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 bool lane_is_beyond(float x) {
   LaneGate<float> gate;
@@ -27,7 +24,8 @@ bool window_is_left(Real x) {
 TEST(LaneGate, SeesOneLaneBeyondTheLimit) {
   for (const float inside : {0.0F, -0.0F, 1.0F, -1.0F, 1.0e-40F})
     EXPECT_FALSE(lane_is_beyond(inside)) << inside;
-  for (const float beyond : {std::nextafter(1.0F, 2.0F), -1.1F, kInfinity, -kInfinity, kNan, -kNan})
+  for (const float beyond : {std::nextafter(1.0F, 2.0F), -1.1F, test::kInfinity<float>,
+                             -test::kInfinity<float>, test::kNan<float>, -test::kNan<float>})
     EXPECT_TRUE(lane_is_beyond(beyond)) << beyond;
 }
 
@@ -36,8 +34,9 @@ void expect_window() {
   const Real low = Real(1.484375), high = Real(1.515625);
   for (const Real inside : {low, Real(1.5), std::nextafter(high, Real(0))})
     EXPECT_FALSE(window_is_left(inside)) << inside;
-  for (const Real outside : {std::nextafter(low, Real(0)), high, Real(0), Real(3), -low, Real(kInfinity),
-                             -Real(kInfinity), Real(kNan), -Real(kNan)})
+  for (const Real outside :
+       {std::nextafter(low, Real(0)), high, Real(0), Real(3), -low, Real(test::kInfinity<float>),
+        -Real(test::kInfinity<float>), Real(test::kNan<float>), -Real(test::kNan<float>)})
     EXPECT_TRUE(window_is_left(outside)) << outside;
 }
 

@@ -9,10 +9,10 @@
 namespace morepro {
 namespace {
 
-constexpr int kN = 5;
+constexpr int kStateCount = 5;
 constexpr int kParameters = 3;
-using Matrix = Eigen::Matrix<double, kN, kN>;
-using Ud = UdCovariance<double, kN>;
+using StateMatrix = Eigen::Matrix<double, kStateCount, kStateCount>;
+using Ud = UdCovariance<double, kStateCount>;
 
 // 1e-12: some hundred operations in double on numbers of order one.
 constexpr double kTolerance = 1.0e-12;
@@ -27,10 +27,11 @@ class Randomly {
   std::normal_distribution<double> normal_;
 };
 
-Matrix dense(const Ud& ud) {
-  Matrix p;
-  for (std::size_t i = 0; i < kN; ++i)
-    for (std::size_t j = 0; j < kN; ++j) p(static_cast<int>(i), static_cast<int>(j)) = ud.covariance(i, j);
+StateMatrix dense(const Ud& ud) {
+  StateMatrix p;
+  for (std::size_t i = 0; i < kStateCount; ++i)
+    for (std::size_t j = 0; j < kStateCount; ++j)
+      p(static_cast<int>(i), static_cast<int>(j)) = ud.covariance(i, j);
   return p;
 }
 
@@ -50,9 +51,9 @@ Transition random_transition(Randomly& random) {
   return t;
 }
 
-Matrix dense_prediction(const Matrix& p, const Transition& t) {
-  Matrix phi = Matrix::Identity();
-  Matrix q = Matrix::Zero();
+StateMatrix dense_prediction(const StateMatrix& p, const Transition& t) {
+  StateMatrix phi = StateMatrix::Identity();
+  StateMatrix q = StateMatrix::Zero();
   for (std::size_t r = 0; r < 2; ++r) {
     const int row = static_cast<int>(r);
     for (std::size_t c = 0; c < 2; ++c) phi(row, static_cast<int>(c)) = t.f[r][c];
@@ -65,7 +66,7 @@ Matrix dense_prediction(const Matrix& p, const Transition& t) {
 TEST(UdCovariance, PredictsAndUpdatesLikeTheDenseFilter) {
   Randomly random(1);
   Ud ud({1.0, 2.0, 0.5, 0.3, 4.0});
-  Matrix p = dense(ud);
+  StateMatrix p = dense(ud);
   for (int k = 0; k < 50; ++k) {
     const Transition t = random_transition(random);
     ud.predict(t.f, t.g, t.q);
@@ -77,10 +78,10 @@ TEST(UdCovariance, PredictsAndUpdatesLikeTheDenseFilter) {
     const double variance = 0.5;
     const auto update = measured == 0 ? ud.update<0>(variance) : ud.update<1>(variance);
     const double s = p(m, m) + variance;
-    const Eigen::Matrix<double, kN, 1> gain = p.col(m) / s;
+    const Eigen::Matrix<double, kStateCount, 1> gain = p.col(m) / s;
     p -= gain * s * gain.transpose();
     ASSERT_NEAR(update.innovation_variance, s, kTolerance * s);
-    for (std::size_t i = 0; i < kN; ++i)
+    for (std::size_t i = 0; i < kStateCount; ++i)
       ASSERT_NEAR(update.gain[i], gain(static_cast<int>(i)), kTolerance * (1.0 + gain.norm()));
     ASSERT_LE((dense(ud) - p).norm(), kTolerance * (1.0 + p.norm()) * 10.0);
   }
@@ -91,9 +92,9 @@ TEST(UdCovariance, AddsARankOneMatrix) {
   Ud ud({1.0, 2.0, 0.5, 0.3, 4.0});
   const Transition t = random_transition(random);
   ud.predict(t.f, t.g, t.q);
-  const Matrix before = dense(ud);
+  const StateMatrix before = dense(ud);
   Ud::Vector a{};
-  Eigen::Matrix<double, kN, 1> column = Eigen::Matrix<double, kN, 1>::Zero();
+  Eigen::Matrix<double, kStateCount, 1> column = Eigen::Matrix<double, kStateCount, 1>::Zero();
   for (std::size_t i = 0; i < 4; ++i) column(static_cast<int>(i)) = a[i] = random();
   ud.add_rank_one(a, 3, 0.7);
   EXPECT_LE((dense(ud) - before - 0.7 * column * column.transpose()).norm(), kTolerance * before.norm());
@@ -101,12 +102,12 @@ TEST(UdCovariance, AddsARankOneMatrix) {
 
 TEST(UdCovariance, RestartsOneElementAndLeavesTheOthersAsTheyWere) {
   Randomly random(3);
-  for (std::size_t j = 0; j < kN; ++j) {
+  for (std::size_t j = 0; j < kStateCount; ++j) {
     Ud ud({1.0, 2.0, 0.5, 0.3, 4.0});
     const Transition t = random_transition(random);
     ud.predict(t.f, t.g, t.q);
     (void)ud.update<0>(0.5);
-    Matrix expected = dense(ud);
+    StateMatrix expected = dense(ud);
     expected.row(static_cast<int>(j)).setZero();
     expected.col(static_cast<int>(j)).setZero();
     expected(static_cast<int>(j), static_cast<int>(j)) = 9.0;

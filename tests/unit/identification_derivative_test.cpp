@@ -12,9 +12,9 @@
 namespace morepro {
 namespace {
 
-constexpr int kParameters = static_cast<int>(kParameterCount);
+constexpr int kParameterColumns = static_cast<int>(kParameterCount);
 using Theta = std::array<double, kParameterCount>;
-using Rows = Eigen::Matrix<double, 3, kParameters>;
+using Rows = Eigen::Matrix<double, 3, kParameterColumns>;
 
 MachineParameters machine_with(MachineParameters machine, const Theta& theta) {
   auto& s = machine.spindle;
@@ -64,11 +64,12 @@ TEST(DerivativeRows, MatchCentralDifferences) {
   for (const MachineParameters& machine : {thesis_machine(), reference_machine()}) {
     const Theta theta = Plant<double>(machine).theta();
     int signs_that_matter = 0;
-    Eigen::Array<bool, 3, kParameters> sign_matters = Eigen::Array<bool, 3, kParameters>::Constant(false);
+    Eigen::Array<bool, 3, kParameterColumns> sign_matters =
+        Eigen::Array<bool, 3, kParameterColumns>::Constant(false);
     for (int k = 0; k < 200; ++k) {
       const auto u = random_input(random);
       const Rows rows = rows_of(machine, u);
-      for (int j = 0; j < kParameters; ++j) {
+      for (int j = 0; j < kParameterColumns; ++j) {
         const auto at = static_cast<std::size_t>(j);
         constexpr double kStep = 1.0e-5;
         Theta above = theta, below = theta;
@@ -90,7 +91,7 @@ TEST(DerivativeRows, MatchCentralDifferences) {
       const int row = static_cast<int>(balance_of(static_cast<Parameter>(j)));
       signs_that_matter += sign_matters(row, static_cast<int>(j)) ? 1 : 0;
     }
-    EXPECT_EQ(signs_that_matter, kParameters);  // a flipped sign in any entry would have been seen
+    EXPECT_EQ(signs_that_matter, kParameterColumns);  // a flipped sign in any entry would have been seen
   }
 }
 

@@ -9,7 +9,7 @@
 namespace morepro::kinematics {
 namespace {
 
-Path<float, 3> arm_path() {
+Path<float, 3> arm_path_in_float() {
   Path<float, 3> path;
   EXPECT_EQ(path.add({{0.45F, 0.1F, 0.75F}, {0.1F, 0.5F, 0.2F}}, 0.0F), PathError::kNone);
   EXPECT_EQ(path.add({{0.35F, -0.2F, 0.6F}, {-0.4F, 0.8F, -0.3F}}, 2.0F), PathError::kNone);
@@ -24,7 +24,7 @@ void add(test::BitHash& hash, const JointVector<float>& values) {
 // The number is the same on x86-64, aarch64, riscv64 and s390x. Where it differs, something sums or fuses in
 // the order of the machine's vectors.
 TEST(Bits, SearchPathAndClikAreTheSameOnEveryMachine) {
-  const auto path = arm_path();
+  const auto path = arm_path_in_float();
   const Chain<float> chain(test::six_joint_arm());
   const auto start =
       PoseSearch<float>(chain, kAllRows, 1.0e-5F)

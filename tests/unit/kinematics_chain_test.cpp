@@ -1,17 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <limits>
 
 #include "lib/kinematics/differential.hpp"
 #include "lib/kinematics/morepro_machine.hpp"
 #include "tests/support/chains.hpp"
+#include "tests/support/not_finite.hpp"
 
 namespace morepro::kinematics {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <class Change>
 TableStatus status_after(Change change) {
@@ -34,14 +31,14 @@ TEST(KinematicsChain, AnImpossibleJointIsNamed) {
     EXPECT_EQ(status.joint, 2U);
   };
   expect(wrong([](DhJoint& j) { j.kind = static_cast<JointKind>(7); }), TableError::kUnknownKind);
-  for (const double bad : {kNan, kInfinity, -2.0e3}) {
+  for (const double bad : {test::kNan<double>, test::kInfinity<double>, -2.0e3}) {
     expect(wrong([bad](DhJoint& j) { j.a_m = bad; }), TableError::kLength);
     expect(wrong([bad](DhJoint& j) { j.d_m = bad; }), TableError::kLength);
     expect(wrong([bad](DhJoint& j) { j.alpha_rad = bad; }), TableError::kAngle);
     expect(wrong([bad](DhJoint& j) { j.theta_rad = bad; }), TableError::kAngle);
   }
   expect(wrong([](DhJoint& j) { j.lowest = j.highest = 0.1; }), TableError::kLimits);
-  expect(wrong([](DhJoint& j) { j.highest = kNan; }), TableError::kLimits);
+  expect(wrong([](DhJoint& j) { j.highest = test::kNan<double>; }), TableError::kLimits);
 }
 
 /// A_i^(i-1), equation 3 of the thesis, letter by letter.
@@ -124,7 +121,7 @@ TEST(KinematicsChain, LimitsAreInclusiveAndNanIsOutside) {
   EXPECT_TRUE(chain.is_within_limits({0.9, -0.5, -0.9, 9.0}));
   EXPECT_FALSE(chain.is_within_limits({0.0, 0.500001, 0.0, 0.0}));
   EXPECT_FALSE(chain.is_within_limits({0.0, -0.6, 0.0, 0.0}));
-  EXPECT_FALSE(chain.is_within_limits({0.0, kNan, 0.0, 0.0}));
+  EXPECT_FALSE(chain.is_within_limits({0.0, test::kNan<double>, 0.0, 0.0}));
 }
 
 }  // namespace

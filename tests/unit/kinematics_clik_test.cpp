@@ -9,11 +9,11 @@
 #include "lib/kinematics/path.hpp"
 #include "lib/kinematics/pose_search.hpp"
 #include "tests/support/chains.hpp"
+#include "tests/support/not_finite.hpp"
 
 namespace morepro::kinematics {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPeriodS = 1.0e-3;
 
 ClikError status_of(double gain_per_s, double period_s, int rows = kRollRows) {
@@ -23,12 +23,13 @@ ClikError status_of(double gain_per_s, double period_s, int rows = kRollRows) {
 TEST(KinematicsClik, AGainOutsideItsStableRangeIsRefused) {
   EXPECT_EQ(status_of(50.0, kPeriodS), ClikError::kNone);
   EXPECT_EQ(status_of(1999.9, kPeriodS), ClikError::kNone);
-  for (const double gain : {2000.0, 2000.1, 0.0, -1.0, kNan, std::numeric_limits<double>::infinity()})
+  for (const double gain :
+       {2000.0, 2000.1, 0.0, -1.0, test::kNan<double>, std::numeric_limits<double>::infinity()})
     EXPECT_EQ(status_of(gain, kPeriodS), ClikError::kGain) << gain;
 }
 
 TEST(KinematicsClik, ImpossiblePeriodsAndTasksAreRefused) {
-  for (const double period : {0.0, -1.0, kNan, std::numeric_limits<double>::infinity()})
+  for (const double period : {0.0, -1.0, test::kNan<double>, std::numeric_limits<double>::infinity()})
     EXPECT_EQ(status_of(50.0, period), ClikError::kPeriod) << period;
   EXPECT_EQ(status_of(50.0, kPeriodS, 0), ClikError::kRows);
   EXPECT_EQ(status_of(50.0, kPeriodS, 64), ClikError::kRows);

@@ -8,7 +8,7 @@
 namespace morepro::kinematics {
 namespace {
 
-constexpr double kPeriodS = 1.0e-3;
+constexpr double kStepS = 1.0e-3;
 constexpr double kQuarterTurn = 1.57079632679489661923;
 
 /// Two slides, the second one turned away from the first by `skew_rad`, both turned about z by `yaw_rad`.
@@ -42,14 +42,14 @@ double residual_off_prediction(const DhTable& table, const JointVector<double>& 
                                const JointVector<double>& to, double gain_per_s, double time_s) {
   const Chain<double> chain(table);
   const auto path = path_between(chain, from, to);
-  Clik<double> clik(chain, {gain_per_s, kPeriodS, kPositionRows}, from);
-  const int steps = static_cast<int>(time_s / kPeriodS + 0.5);
-  for (int k = 0; k < steps; ++k) clik.step(path.at(k * kPeriodS));
-  const auto wanted = path.at(steps * kPeriodS);
+  Clik<double> clik(chain, {gain_per_s, kStepS, kPositionRows}, from);
+  const int steps = static_cast<int>(time_s / kStepS + 0.5);
+  for (int k = 0; k < steps; ++k) clik.step(path.at(k * kStepS));
+  const auto wanted = path.at(steps * kStepS);
   const ClikStep<double> step = clik.solve(wanted);
   EXPECT_EQ(step.damping, 0.0);
   const auto bias = rate_of_jacobian_times_rate(chain, chain.frames(clik.joints()), step.rate);
-  Twist<double> predicted = (wanted.acceleration - bias) * (kPeriodS / (2.0 * gain_per_s));
+  Twist<double> predicted = (wanted.acceleration - bias) * (kStepS / (2.0 * gain_per_s));
   predicted.tail<3>().setZero();
   return (step.error - predicted).norm() / predicted.norm();
 }

@@ -2,15 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "lib/kinematics/path.hpp"
+#include "tests/support/not_finite.hpp"
 
 namespace morepro::kinematics {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using SmallPath = Path<double, 3>;
 
@@ -60,12 +57,12 @@ TEST(KinematicsPath, CoincidentPointsAreRefused) {
 }
 
 TEST(KinematicsPath, ImpossibleTimesAreRefused) {
-  for (const double duration : {0.0, -1.0, 1.0e-300, kNan, kInfinity}) {
+  for (const double duration : {0.0, -1.0, 1.0e-300, test::kNan<double>, test::kInfinity<double>}) {
     SmallPath path;
     EXPECT_EQ(path.add(at(0, 0, 0), 0.0), PathError::kNone);
     EXPECT_EQ(path.add(at(1, 0, 0), duration), PathError::kTime) << duration;
   }
-  for (const double ramp_share : {0.0, -0.1, 0.51, kNan}) {
+  for (const double ramp_share : {0.0, -0.1, 0.51, test::kNan<double>}) {
     SmallPath path({}, ramp_share);
     EXPECT_EQ(path.add(at(0, 0, 0), 0.0), PathError::kNone);
     EXPECT_EQ(path.add(at(1, 0, 0), 1.0), PathError::kTime) << ramp_share;
@@ -74,8 +71,8 @@ TEST(KinematicsPath, ImpossibleTimesAreRefused) {
 
 TEST(KinematicsPath, PointsThatAreNoNumbersOrTooManyAreRefused) {
   SmallPath path;
-  EXPECT_EQ(path.add(at(kNan, 0, 0), 0.0), PathError::kNotFinite);
-  EXPECT_EQ(path.add(at(0, 0, 0, kInfinity), 0.0), PathError::kNotFinite);
+  EXPECT_EQ(path.add(at(test::kNan<double>, 0, 0), 0.0), PathError::kNotFinite);
+  EXPECT_EQ(path.add(at(0, 0, 0, test::kInfinity<double>), 0.0), PathError::kNotFinite);
   for (const double x : {0.0, 1.0, 2.0}) EXPECT_EQ(path.add(at(x, 0, 0), 1.0), PathError::kNone);
   EXPECT_EQ(path.add(at(3.0, 0, 0), 1.0), PathError::kFull);
   EXPECT_EQ(path.duration_s(), 2.0);

@@ -8,13 +8,12 @@
 #include <random>
 
 #include "lib/math/elementary.hpp"
+#include "tests/support/not_finite.hpp"
 
 namespace morepro {
 namespace {
 
 constexpr int kSamples = 1'000'000;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kSubnormal = 1.0e-42F;
 
 /// Largest relative error of `ours` against `theirs` over random arguments.
@@ -81,16 +80,16 @@ TEST(Elementary, PowIsWithinItsBoundForExponentsUpToOne) {
 }
 
 TEST(Elementary, ExpAndExp2SaturateWithoutNan) {
-  for (const float x : {-1.0e38F, -kInfinity, -200.0F}) {
+  for (const float x : {-1.0e38F, -test::kInfinity<float>, -200.0F}) {
     EXPECT_EQ(math::exp(x), 0.0F);
     EXPECT_EQ(math::exp2(x), 0.0F);
   }
-  for (const float x : {1.0e38F, kInfinity, 200.0F}) {
-    EXPECT_EQ(math::exp(x), kInfinity);
-    EXPECT_EQ(math::exp2(x), kInfinity);
+  for (const float x : {1.0e38F, test::kInfinity<float>, 200.0F}) {
+    EXPECT_EQ(math::exp(x), test::kInfinity<float>);
+    EXPECT_EQ(math::exp2(x), test::kInfinity<float>);
   }
-  EXPECT_TRUE(std::isnan(math::exp(kNan)));
-  EXPECT_TRUE(std::isnan(math::exp2(kNan)));
+  EXPECT_TRUE(std::isnan(math::exp(test::kNan<float>)));
+  EXPECT_TRUE(std::isnan(math::exp2(test::kNan<float>)));
 }
 
 TEST(Elementary, ValuesAtZeroAndOneAreExact) {
@@ -103,34 +102,34 @@ TEST(Elementary, ValuesAtZeroAndOneAreExact) {
 }
 
 TEST(Elementary, LogIsDefinedForEveryArgument) {
-  EXPECT_EQ(math::log(0.0F), -kInfinity);
-  EXPECT_EQ(math::log(kInfinity), kInfinity);
+  EXPECT_EQ(math::log(0.0F), -test::kInfinity<float>);
+  EXPECT_EQ(math::log(test::kInfinity<float>), test::kInfinity<float>);
   EXPECT_TRUE(std::isnan(math::log(-1.0F)));
-  EXPECT_TRUE(std::isnan(math::log(-kInfinity)));
-  EXPECT_TRUE(std::isnan(math::log(kNan)));
+  EXPECT_TRUE(std::isnan(math::log(-test::kInfinity<float>)));
+  EXPECT_TRUE(std::isnan(math::log(test::kNan<float>)));
   EXPECT_NEAR(double{math::log(kSubnormal)}, std::log(double{kSubnormal}), 4.0e-5);
 }
 
 TEST(Elementary, PowIsDefinedForEveryArgument) {
   EXPECT_EQ(math::pow(0.0F, 0.5F), 0.0F);
-  EXPECT_EQ(math::pow(0.0F, -0.5F), kInfinity);
+  EXPECT_EQ(math::pow(0.0F, -0.5F), test::kInfinity<float>);
   EXPECT_EQ(math::pow(0.0F, 0.0F), 1.0F);
-  EXPECT_EQ(math::pow(kInfinity, 0.5F), kInfinity);
-  EXPECT_EQ(math::pow(kInfinity, -0.5F), 0.0F);
-  EXPECT_EQ(math::pow(2.0F, 1000.0F), kInfinity);
+  EXPECT_EQ(math::pow(test::kInfinity<float>, 0.5F), test::kInfinity<float>);
+  EXPECT_EQ(math::pow(test::kInfinity<float>, -0.5F), 0.0F);
+  EXPECT_EQ(math::pow(2.0F, 1000.0F), test::kInfinity<float>);
   EXPECT_EQ(math::pow(2.0F, -1000.0F), 0.0F);
   EXPECT_TRUE(std::isnan(math::pow(-2.0F, 0.5F)));
-  EXPECT_TRUE(std::isnan(math::pow(kNan, 0.0F)));
-  EXPECT_TRUE(std::isnan(math::pow(2.0F, kNan)));
-  EXPECT_TRUE(std::isnan(math::pow(2.0F, kInfinity)));
+  EXPECT_TRUE(std::isnan(math::pow(test::kNan<float>, 0.0F)));
+  EXPECT_TRUE(std::isnan(math::pow(2.0F, test::kNan<float>)));
+  EXPECT_TRUE(std::isnan(math::pow(2.0F, test::kInfinity<float>)));
   EXPECT_NEAR(double{math::pow(kSubnormal, 0.5F)} / std::sqrt(double{kSubnormal}), 1.0, 1.0e-6);
 }
 
 TEST(Elementary, TanhIsOddAndSaturates) {
   for (const float x : {1.0e-40F, 0.3F, 0.8F, 1.7F, 9.0F, 50.0F}) EXPECT_EQ(math::tanh(-x), -math::tanh(x));
-  EXPECT_EQ(math::tanh(kInfinity), 1.0F);
-  EXPECT_EQ(math::tanh(-kInfinity), -1.0F);
-  EXPECT_TRUE(std::isnan(math::tanh(kNan)));
+  EXPECT_EQ(math::tanh(test::kInfinity<float>), 1.0F);
+  EXPECT_EQ(math::tanh(-test::kInfinity<float>), -1.0F);
+  EXPECT_TRUE(std::isnan(math::tanh(test::kNan<float>)));
 }
 
 /// Largest errors of sin_cos against the standard library's, of either function.
@@ -189,7 +188,7 @@ TEST(Elementary, SinIsOddAndCosIsEven) {
 }
 
 TEST(Elementary, SinAndCosOfNoNumberAreNan) {
-  for (const float x : {kInfinity, -kInfinity, kNan}) {
+  for (const float x : {test::kInfinity<float>, -test::kInfinity<float>, test::kNan<float>}) {
     EXPECT_TRUE(std::isnan(math::sin(x)));
     EXPECT_TRUE(std::isnan(math::cos(x)));
   }
@@ -220,7 +219,7 @@ TEST(Elementary, Atan2IsDefinedForEveryArgument) {
   }
   EXPECT_NEAR(math::atan2(0.0F, -1.0F), 3.14159265F, 3.0e-7F);
   EXPECT_NEAR(math::atan2(3.0e38F, 3.0e38F), 0.785398163F, 1.0e-7F);
-  for (const float x : {kNan, kInfinity, -kInfinity}) {
+  for (const float x : {test::kNan<float>, test::kInfinity<float>, -test::kInfinity<float>}) {
     EXPECT_TRUE(std::isnan(math::atan2(x, 1.0F)));
     EXPECT_TRUE(std::isnan(math::atan2(1.0F, x)));
   }

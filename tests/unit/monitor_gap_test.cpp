@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lib/monitor/monitor.hpp"
-#include "lib/wire/record_codec.hpp"
 #include "tests/support/gap_runs.hpp"
+#include "tests/support/health_bytes.hpp"
 
 namespace morepro {
 namespace {
@@ -47,13 +47,6 @@ Health after(const GapRun& run, const Change& change = {}) { return show(*new_mo
 bool is_named(const gap::GapFinding& finding, Effect effect) {
   const auto end = finding.alias.begin() + finding.alias_count;
   return finding.effect == effect || std::find(finding.alias.begin(), end, effect) != end;
-}
-
-std::vector<std::uint8_t> bytes_of(const Health& health) {
-  std::vector<std::uint8_t> bytes(wire::kHealthPayload);
-  wire::ByteWriter writer(bytes);
-  wire::write_payload(writer, health);
-  return bytes;
 }
 
 const GapRun kBiased{.effects = {test::gap_effect(Effect::kFeedForceOffset, 3.0)}, .duration_s = 10.0};
@@ -202,13 +195,13 @@ TEST(MonitorGap, AFaultComesFirst) {
 
 TEST(MonitorGap, ResetAndConfigureForget) {
   auto monitor = new_monitor();
-  const auto first = bytes_of(show(*monitor, kBiased));
+  const auto first = test::bytes_of(show(*monitor, kBiased));
   ASSERT_EQ(monitor->health().gap.verdict, GapVerdict::kEffect);
   monitor->reset();
   EXPECT_EQ(monitor->health().gap.verdict, GapVerdict::kNotEnoughData);
-  EXPECT_EQ(bytes_of(show(*monitor, kBiased)), first);
+  EXPECT_EQ(test::bytes_of(show(*monitor, kBiased)), first);
   ASSERT_TRUE(monitor->configure(test::gap_configuration()).ok());
-  EXPECT_EQ(bytes_of(show(*monitor, kBiased)), first);
+  EXPECT_EQ(test::bytes_of(show(*monitor, kBiased)), first);
 }
 
 TEST(MonitorGap, TheStoredThresholdIsTheOneThatCounts) {

@@ -10,20 +10,13 @@
 #include <set>
 #include <vector>
 
-#include "lib/wire/record_codec.hpp"
+#include "tests/support/health_bytes.hpp"
 #include "tests/support/spindle_frames.hpp"
 
 namespace morepro {
 namespace {
 
 const MonitorConfiguration kReference = reference_configuration();
-
-std::vector<std::uint8_t> bytes_of(const Health& health) {
-  std::vector<std::uint8_t> bytes(wire::kHealthPayload);
-  wire::ByteWriter writer(bytes);
-  wire::write_payload(writer, health);
-  return bytes;
-}
 
 Health run(BoardMonitor& monitor, const std::vector<SensorFrame>& frames) {
   for (const auto& frame : frames) (void)monitor.step(frame);
@@ -301,7 +294,7 @@ TEST(Monitor, DuplicatesAndStragglersChangeNoBit) {
   Health health = run(*monitor, untidy);
   EXPECT_EQ(health.frames_rejected, untidy.size() - frames.size());
   health.frames_rejected = 0;
-  EXPECT_EQ(bytes_of(health), bytes_of(run(frames)));
+  EXPECT_EQ(test::bytes_of(health), test::bytes_of(run(frames)));
 }
 
 TEST(Monitor, TheWrapOfTheClockChangesNoBit) {
@@ -309,7 +302,7 @@ TEST(Monitor, TheWrapOfTheClockChangesNoBit) {
   const auto at_wrap = test::frames_of(kReference, {.first_time_us = 0U - 300000U});
   Health wrapped = run(at_wrap);
   wrapped.time_us = at_zero.back().time_us;
-  EXPECT_EQ(bytes_of(wrapped), bytes_of(run(at_zero)));
+  EXPECT_EQ(test::bytes_of(wrapped), test::bytes_of(run(at_zero)));
 }
 
 TEST(Monitor, StaysRightWhileFramesAreLost) {
@@ -373,9 +366,9 @@ TEST(Monitor, EveryRuleFindsTheChipLoad) {
 TEST(Monitor, ResetForgetsEverything) {
   const auto frames = test::frames_of(kReference, {});
   auto monitor = std::make_unique<BoardMonitor>();
-  const auto first = bytes_of(run(*monitor, frames));
+  const auto first = test::bytes_of(run(*monitor, frames));
   monitor->reset();
-  EXPECT_EQ(bytes_of(run(*monitor, frames)), first);
+  EXPECT_EQ(test::bytes_of(run(*monitor, frames)), first);
 }
 
 TEST(Reason, EveryCodeHasItsOwnText) {

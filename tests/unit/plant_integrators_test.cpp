@@ -11,7 +11,7 @@ namespace morepro {
 namespace {
 
 constexpr double kDuration = 0.1;
-constexpr int kSamples = 100;
+constexpr int kIntegratedSamples = 100;
 
 template <class Real>
 PlantInput<Real> input_of(const MachineParameters& machine, double contact) {
@@ -27,11 +27,11 @@ PlantInput<Real> input_of(const MachineParameters& machine, double contact) {
 template <class Integrator, class Real>
 std::vector<PlantState<double>> response(const MachineParameters& machine, int steps_per_sample,
                                          bool has_contact) {
-  const Integrator integrator(machine, kDuration / kSamples / steps_per_sample);
+  const Integrator integrator(machine, kDuration / kIntegratedSamples / steps_per_sample);
   PlantState<Real> x;
   std::vector<PlantState<double>> samples;
-  for (int k = 0; k < kSamples * steps_per_sample; ++k) {
-    const bool is_second_half = 2 * k >= kSamples * steps_per_sample;
+  for (int k = 0; k < kIntegratedSamples * steps_per_sample; ++k) {
+    const bool is_second_half = 2 * k >= kIntegratedSamples * steps_per_sample;
     x = integrator.step(x, input_of<Real>(machine, has_contact && is_second_half ? 1.0 : 0.0));
     if ((k + 1) % steps_per_sample == 0) {
       samples.push_back({double(x.speed_rad_s), double(x.feed_speed_m_s), double(x.current_a)});
@@ -41,15 +41,16 @@ std::vector<PlantState<double>> response(const MachineParameters& machine, int s
 }
 
 /// Largest differences between two responses, each by the largest value of its signal.
-struct Difference {
+struct StateDifference {
   double speed = 0.0;
   double feed = 0.0;
   double current = 0.0;
 };
 
-Difference difference(const std::vector<PlantState<double>>& a, const std::vector<PlantState<double>>& b) {
-  Difference largest;
-  Difference peak;
+StateDifference difference(const std::vector<PlantState<double>>& a,
+                           const std::vector<PlantState<double>>& b) {
+  StateDifference largest;
+  StateDifference peak;
   for (std::size_t k = 0; k < a.size(); ++k) {
     largest.speed = std::max(largest.speed, std::abs(a[k].speed_rad_s - b[k].speed_rad_s));
     largest.feed = std::max(largest.feed, std::abs(a[k].feed_speed_m_s - b[k].feed_speed_m_s));
@@ -65,7 +66,7 @@ std::vector<PlantState<double>> exact_response(const MachineParameters& machine,
   return response<Rk4Integrator<double>, double>(machine, 1000, has_contact);
 }
 
-Difference exponential_error(const MachineParameters& machine, int steps_per_sample) {
+StateDifference exponential_error(const MachineParameters& machine, int steps_per_sample) {
   return difference(response<ExponentialIntegrator<double>, double>(machine, steps_per_sample, true),
                     exact_response(machine));
 }
@@ -80,7 +81,7 @@ TEST(ExponentialIntegrator, HasTheSpecifiedErrors) {
   };
   for (const Case& c : {Case{thesis_machine(), 1, 2.5e-3}, Case{thesis_machine(), 5, 7.1e-5},
                         Case{thesis_machine(), 10, 1.7e-5}, Case{reference_machine(), 1, 1.5e-10}}) {
-    const Difference error = exponential_error(c.machine, c.steps_per_sample);
+    const StateDifference error = exponential_error(c.machine, c.steps_per_sample);
     EXPECT_LT(error.speed, 1.2 * c.error);
     EXPECT_GT(error.speed, 0.8 * c.error);
     EXPECT_LT(error.current, 1.2 * c.error);
@@ -97,7 +98,7 @@ TEST(ExponentialIntegrator, IsOfSecondOrderInContact) {
 TEST(ExponentialIntegrator, IsExactWithoutContactForLongSteps) {
   for (const MachineParameters& machine : {thesis_machine(), reference_machine()}) {
     const auto long_steps = response<ExponentialIntegrator<double>, double>(machine, 1, false);
-    const Difference error = difference(long_steps, exact_response(machine, false));
+    const StateDifference error = difference(long_steps, exact_response(machine, false));
     EXPECT_LT(error.speed, 1.0e-11);
     EXPECT_LT(error.feed, 1.0e-11);
     EXPECT_LT(error.current, 1.0e-11);
@@ -117,7 +118,7 @@ TEST(ExponentialIntegrator, StaysBoundedForAnyStep) {
 // thesis's feed axis has no friction and forgets nothing: 1000 * 3e-8.
 TEST(ExponentialIntegrator, FloatFollowsDouble) {
   for (const MachineParameters& machine : {thesis_machine(), reference_machine()}) {
-    const Difference rounding =
+    const StateDifference rounding =
         difference(response<ExponentialIntegrator<float>, float>(machine, 10, true),
                    response<ExponentialIntegrator<double>, double>(machine, 10, true));
     EXPECT_LT(rounding.speed, 2.0e-6);

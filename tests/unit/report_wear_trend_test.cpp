@@ -9,19 +9,19 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kRateHz = 1000.0;
+constexpr double kTrendRateHz = 1000.0;
 
 TEST(WearTrend, FindsALineWhateverItsLength) {
   for (const int samples : {16, 17, 1000, 100'000}) {
     WearTrend trend;
-    for (int k = 0; k < samples; ++k) trend.take(5.0 + k / kRateHz, 1.1 + 0.02 * k / kRateHz);
+    for (int k = 0; k < samples; ++k) trend.take(5.0 + k / kTrendRateHz, 1.1 + 0.02 * k / kTrendRateHz);
     const auto line = trend.line();
     ASSERT_TRUE(line);
     EXPECT_NEAR(line->slope_per_s, 0.02, 1e-9);
     EXPECT_NEAR(line->at(5.0), 1.1, 1e-9);
     EXPECT_LT(line->standard_error_per_s, 1e-9);
     EXPECT_GE(line->from_s, 5.0);
-    EXPECT_LE(line->to_s, 5.0 + samples / kRateHz);
+    EXPECT_LE(line->to_s, 5.0 + samples / kTrendRateHz);
   }
 }
 
@@ -39,7 +39,7 @@ TEST(WearTrend, SaysNothingAboutTooFewSamplesOrThoseOfAnotherTool) {
 TEST(WearTrend, GoesOnOverAPauseInTheAir) {
   WearTrend trend;
   for (int k = 0; k < 4000; ++k)
-    if (k < 1000 || k >= 3000) trend.take(k / kRateHz, 1.0 + 0.1 * k / kRateHz);
+    if (k < 1000 || k >= 3000) trend.take(k / kTrendRateHz, 1.0 + 0.1 * k / kTrendRateHz);
   EXPECT_NEAR(trend.line()->slope_per_s, 0.1, 1e-9);
 }
 
@@ -48,14 +48,14 @@ TEST(WearTrend, GoesOnOverAPauseInTheAir) {
 double coverage(double memory_s, int runs) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
-  const double keep = memory_s > 0.0 ? std::exp(-1.0 / (memory_s * kRateHz)) : 0.0;
+  const double keep = memory_s > 0.0 ? std::exp(-1.0 / (memory_s * kTrendRateHz)) : 0.0;
   int within = 0;
   for (int run = 0; run < runs; ++run) {
     WearTrend trend;
     double noise = normal(random);
     for (int k = 0; k < 4000; ++k) {
       noise = keep * noise + std::sqrt(1.0 - keep * keep) * normal(random);
-      trend.take(k / kRateHz, 1.0 + 0.02 * k / kRateHz + 0.05 * noise);
+      trend.take(k / kTrendRateHz, 1.0 + 0.02 * k / kTrendRateHz + 0.05 * noise);
     }
     const auto line = trend.line();
     if (std::fabs(line->slope_per_s - 0.02) < 2.0 * line->standard_error_per_s) ++within;
@@ -76,7 +76,7 @@ TEST(WearTrend, OfWhiteNoiseItsErrorIsThatOfLeastSquares) {
   double mean = 0.0;
   for (int run = 0; run < kRuns; ++run) {
     WearTrend trend;
-    for (int k = 0; k < 4096; ++k) trend.take(k / kRateHz, 0.05 * normal(random));
+    for (int k = 0; k < 4096; ++k) trend.take(k / kTrendRateHz, 0.05 * normal(random));
     mean += trend.line()->standard_error_per_s / kRuns;
   }
   const double expected = 0.05 / (4.096 / std::sqrt(12.0)) / std::sqrt(4096.0);

@@ -9,18 +9,15 @@
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/simulate/simulated_machine.hpp"
 #include "sim_host/support/user_error.hpp"
+#include "tests/support/reference_effect.hpp"
 
 namespace morepro::host {
 namespace {
 
 using gap::Effect;
+using test::effect;
 
 constexpr double kPeriodS = 1.0e-4;
-
-gap::AppliedEffect effect(Effect name, double size) {
-  const MachineParameters machine = reference_machine();
-  return gap::applied(name, size, {machine, reference_point_of(machine)});
-}
 
 PlantInput<double> driven(double voltage_v, double force_n, double contact = 0.0) {
   return {.armature_voltage_v = voltage_v,

@@ -9,12 +9,14 @@
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/simulate/simulation.hpp"
 #include "tests/support/effect_sizes.hpp"
+#include "tests/support/reference_effect.hpp"
 
 namespace morepro::host {
 namespace {
 
 using gap::Effect;
 using gap::EffectGroup;
+using test::effect;
 
 using Frames = std::vector<SensorFrame>;
 
@@ -28,13 +30,6 @@ Frames run(const SimulationOptions& options) {
 /// Forward with contact and steps of chip load and engagement, through a reversal, backward.
 SimulationOptions rich(std::vector<gap::AppliedEffect> effects) {
   return {.profile = ProfileKind::kRich, .duration_s = 1.2, .effects = std::move(effects)};
-}
-
-gap::AppliedEffect effect(Effect name, double size, double onset_s = 0.0) {
-  const MachineParameters machine = reference_machine();
-  gap::AppliedEffect one = gap::applied(name, size, {machine, reference_point_of(machine)});
-  one.onset_s = onset_s;
-  return one;
 }
 
 double rms_difference(const Frames& a, const Frames& b, Channel channel, std::size_t first = 0,

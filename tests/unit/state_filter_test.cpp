@@ -12,7 +12,7 @@
 namespace morepro {
 namespace {
 
-constexpr double kStep = 1.0e-4;
+constexpr double kFilterPeriodS = 1.0e-4;
 
 template <class Real>
 typename StateFilter<Real>::Covariances covariances() {
@@ -32,7 +32,8 @@ PlantState<Real> rounded(const PlantState<double>& x) {
 
 template <class Real>
 StateFilter<Real> filter_at_operating_point() {
-  return StateFilter<Real>(reference_machine(), kStep, rounded<Real>(operating_point()), covariances<Real>());
+  return StateFilter<Real>(reference_machine(), kFilterPeriodS, rounded<Real>(operating_point()),
+                           covariances<Real>());
 }
 
 template <class Real>
@@ -65,7 +66,7 @@ class NoisyMachine {
 
   std::mt19937 generator_;
   std::normal_distribution<double> normal_{0.0, 1.0};
-  Rk4Integrator<double> integrator_{reference_machine(), kStep};
+  Rk4Integrator<double> integrator_{reference_machine(), kFilterPeriodS};
   PlantState<double> x_ = operating_point();
 };
 
@@ -141,7 +142,7 @@ TEST(StateFilter, GatesWhatIsTooFarAndSaysHowFar) {
 TEST(StateFilter, SaysWhenItsCovarianceIsNotPositive) {
   auto broken = covariances<float>();
   broken.initial(0, 0) = -5.0F;
-  StateFilter<float> filter(reference_machine(), kStep, {}, broken);
+  StateFilter<float> filter(reference_machine(), kFilterPeriodS, {}, broken);
   EXPECT_EQ(filter.update({}).status, UpdateStatus::kNotPositive);
   EXPECT_EQ(filter.covariance()(0, 0), -5.0F);
 }

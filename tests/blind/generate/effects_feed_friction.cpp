@@ -10,7 +10,7 @@ double bend_rate(double speed, double bend, double length) {
   return (speed - std::abs(speed) * bend) / length;
 }
 
-std::unique_ptr<Effect> coulomb(Random& random, const Machine&) {
+std::unique_ptr<Effect> coulomb_force(Random& random, const Machine&) {
   if (random.chance(0.5)) {
     const double scale = random.uniform(0.0005, 0.002);
     return instant([scale](const Point& p, double s, Loads& l) { l.force_n -= s * soft_sign(p.v, scale); });
@@ -28,7 +28,7 @@ std::unique_ptr<Effect> viscous(Random& random, const Machine&) {
   });
 }
 
-std::unique_ptr<Effect> stribeck(Random& random, const Machine&) {
+std::unique_ptr<Effect> stribeck_force(Random& random, const Machine&) {
   const double speed = random.uniform(0.01, 0.03), power = random.uniform(0.5, 1.5);
   return instant([=](const Point& p, double s, Loads& l) {
     l.force_n -= s * soft_sign(p.v, 0.001) * std::exp(-std::pow(std::abs(p.v) / speed, power));
@@ -59,9 +59,9 @@ std::unique_ptr<Effect> presliding(Random& random, const Machine&) {
 std::vector<EffectKind> feed_friction_effects() {
   auto viscous_guess = [](const Machine&) { return 50.0; };
   return {
-      {"feed_coulomb_friction", kFeedForce, "N", force_scale, coulomb},
+      {"feed_coulomb_friction", kFeedForce, "N", force_scale, coulomb_force},
       {"feed_viscous_friction", kFeedForce, "N s/m", viscous_guess, viscous, 20.0, false, false},
-      {"feed_stribeck_friction", kFeedForce, "N", force_scale, stribeck},
+      {"feed_stribeck_friction", kFeedForce, "N", force_scale, stribeck_force},
       {"feed_asymmetric_friction", kFeedForce, "N", force_scale, asymmetric},
       {"feed_presliding", kFeedForce, "N", force_scale, presliding},
   };

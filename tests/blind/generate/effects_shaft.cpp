@@ -6,7 +6,7 @@
 namespace blind {
 namespace {
 
-std::unique_ptr<Effect> coulomb(Random& random, const Machine&) {
+std::unique_ptr<Effect> coulomb_torque(Random& random, const Machine&) {
   if (random.chance(0.5)) {
     const double scale = random.uniform(1.0, 4.0);
     return instant([scale](const Point& p, double s, Loads& l) { l.torque_nm -= s * soft_sign(p.w, scale); });
@@ -17,7 +17,7 @@ std::unique_ptr<Effect> coulomb(Random& random, const Machine&) {
                     [](const Point&, double s, const double* z, Loads& l) { l.torque_nm -= s * z[0]; });
 }
 
-std::unique_ptr<Effect> stribeck(Random& random, const Machine& m) {
+std::unique_ptr<Effect> stribeck_torque(Random& random, const Machine& m) {
   const double speed = m.working_speed() * random.uniform(0.05, 0.15), power = random.uniform(0.5, 1.5);
   return instant([=](const Point& p, double s, Loads& l) {
     l.torque_nm -= s * soft_sign(p.w, 2.0) * std::exp(-std::pow(std::abs(p.w) / speed, power));
@@ -85,8 +85,8 @@ std::vector<EffectKind> shaft_effects() {
   auto saturation_guess = [](const Machine& m) { return 0.02 / std::pow(m.working_current(), 2); };
   auto softness_guess = [](const Machine& m) { return 1.0 / (4e6 * m.inertia); };
   return {
-      {"spindle_coulomb_friction", kSpindleTorque, "N m", torque_scale, coulomb},
-      {"spindle_stribeck_friction", kSpindleTorque, "N m", torque_scale, stribeck},
+      {"spindle_coulomb_friction", kSpindleTorque, "N m", torque_scale, coulomb_torque},
+      {"spindle_stribeck_friction", kSpindleTorque, "N m", torque_scale, stribeck_torque},
       {"spindle_windage", kSpindleTorque, "N m s2/rad2", windage_guess, windage},
       {"spindle_cogging", kSpindleTorque, "N m", torque_scale, cogging},
       {"viscous_temperature_dependence", kSpindleTorque, "1/K", relative_guess, viscous_temperature, 10.0},

@@ -12,7 +12,7 @@ namespace {
 using host::SimulatedBoard;
 
 /// What a run leaves on the link.
-struct Link {
+struct ReceivingEnd {
   std::vector<wire::Record> records;
 
   void take(std::span<const std::uint8_t> message) {
@@ -38,7 +38,7 @@ SimulatedBoard::FrameSource frames(std::uint32_t count) {
   };
 }
 
-SimulatedBoard board_with(std::uint32_t count, Link& link, host::LinkFaults faults = {}) {
+SimulatedBoard board_with(std::uint32_t count, ReceivingEnd& link, host::LinkFaults faults = {}) {
   return SimulatedBoard(
       frames(count), [&link](auto message) { link.take(message); }, faults);
 }
@@ -50,7 +50,7 @@ std::vector<std::uint8_t> encoded(const MonitorConfiguration& configuration) {
 }
 
 TEST(App, SaysReadyThenAnswersEveryFrameThenSaysEnd) {
-  Link link;
+  ReceivingEnd link;
   auto board = board_with(50, link);
   App<SimulatedBoard> app(board, {.build_id = 0xABCD});
   ASSERT_TRUE(app.run());
@@ -64,7 +64,7 @@ TEST(App, SaysReadyThenAnswersEveryFrameThenSaysEnd) {
 }
 
 TEST(App, AnswersEveryNthFrameWhenAsked) {
-  Link link;
+  ReceivingEnd link;
   auto board = board_with(100, link);
   App<SimulatedBoard> app(board, {.health_every_frames = 10});
   ASSERT_TRUE(app.run());
@@ -73,7 +73,7 @@ TEST(App, AnswersEveryNthFrameWhenAsked) {
 }
 
 TEST(App, TakesTheStoredConfiguration) {
-  Link link;
+  ReceivingEnd link;
   auto board = board_with(1, link);
   ASSERT_TRUE(board.store(encoded(thesis_configuration())));
   App<SimulatedBoard> app(board);
@@ -83,7 +83,7 @@ TEST(App, TakesTheStoredConfiguration) {
 }
 
 TEST(App, FallsBackToTheBuiltInConfigurationAndSaysSo) {
-  Link link;
+  ReceivingEnd link;
   auto board = board_with(1, link);
   auto damaged = encoded(thesis_configuration());
   damaged[20] ^= 0x40;
@@ -102,7 +102,7 @@ struct RefusingMonitor : BoardMonitor {
 };
 
 TEST(App, GoesToTheSafeStateWithoutAnyConfiguration) {
-  Link link;
+  ReceivingEnd link;
   auto board = board_with(10, link);
   App<SimulatedBoard, RefusingMonitor> app(board);
   EXPECT_FALSE(app.run());
@@ -112,7 +112,7 @@ TEST(App, GoesToTheSafeStateWithoutAnyConfiguration) {
 }
 
 TEST(App, CountsWhatTheLinkCorruptedInTheHealth) {
-  Link link;
+  ReceivingEnd link;
   auto board = board_with(1000, link, {.corrupt = 0.25});
   App<SimulatedBoard> app(board);
   ASSERT_TRUE(app.run());
@@ -122,7 +122,7 @@ TEST(App, CountsWhatTheLinkCorruptedInTheHealth) {
 }
 
 TEST(App, CountsMessagesThatTheLinkRefusedAndGoesOn) {
-  Link link;
+  ReceivingEnd link;
   auto board = board_with(100, link);
   board.block_link(true);
   App<SimulatedBoard> app(board);
@@ -143,7 +143,7 @@ struct WatchingMonitor : BoardMonitor {
 };
 
 TEST(App, KicksTheWatchdogOnlyAfterACompletedStep) {
-  Link link;
+  ReceivingEnd link;
   auto board = board_with(20, link);
   WatchingMonitor::board = &board;
   kicks_seen_by_step = 0;
