@@ -13,11 +13,11 @@ namespace {
 constexpr std::array kChannelsThatLast{
     Channel::kSpindleSpeed, Channel::kSpindleAngle,    Channel::kArmatureCurrent,   Channel::kFeedSpeed,
     Channel::kFeedPosition, Channel::kToolTemperature, Channel::kWindingTemperature};
-constexpr double kFar = 12.0;          // standard deviations of a bend
-constexpr std::size_t kReach = 16;     // rows on either side that show how much a signal bends by itself
-constexpr double kMostShare = 1.0e-3;  // of the rows; more of them are structure
-constexpr std::size_t kFewAnyway = 3;  // in a short recording
-constexpr double kDeviation = 1.4826;  // standard deviations per median of the absolute value
+constexpr double kFar = 12.0;              // standard deviations of a bend
+constexpr std::size_t kReach = 16;         // rows on either side that show how much a signal bends by itself
+constexpr double kMostLoneShare = 1.0e-3;  // of the rows; more of them are structure
+constexpr std::size_t kFewAnyway = 3;      // in a short recording
+constexpr double kDeviation = 1.4826;      // standard deviations per median of the absolute value
 constexpr double kBendDeviation = 1.224745;  // of white noise of deviation 1: sqrt(1 + 1/4 + 1/4)
 
 /// How far a sample is from the line through its neighbours; NaN where one of the three is missing.
@@ -90,7 +90,7 @@ double alone(const RecordingSignals& signals, Channel channel, std::size_t row, 
 
 LoneSamples take_out_of(RecordingSignals& signals, Channel channel, double noise) {
   const auto most =
-      std::max(kFewAnyway, static_cast<std::size_t>(kMostShare * static_cast<double>(signals.rows)));
+      std::max(kFewAnyway, static_cast<std::size_t>(kMostLoneShare * static_cast<double>(signals.rows)));
   std::vector<float>& column = signals.value[index_of(channel)];
   LoneSamples lone{.channel = channel};
   std::vector<std::size_t> rows;

@@ -25,7 +25,7 @@ struct SensedParameter {
   double& (*of)(MachineParameters&);
 };
 
-const SensedParameter kSpindle[] = {
+const SensedParameter kSpindleParameters[] = {
     {Axis::kSpindle, "torque constant",
      [](MachineParameters& m) -> double& { return m.spindle.torque_constant_nm_a; }},
     {Axis::kSpindle, "viscous friction",
@@ -36,7 +36,7 @@ const SensedParameter kSpindle[] = {
      [](MachineParameters& m) -> double& { return m.spindle.back_emf_constant_vs_rad; }},
     {Axis::kSpindle, "inductance", [](MachineParameters& m) -> double& { return m.spindle.inductance_h; }},
 };
-const SensedParameter kFeed[] = {
+const SensedParameter kFeedParameters[] = {
     {Axis::kFeed, "mass", [](MachineParameters& m) -> double& { return m.feed.mass_kg; }},
     {Axis::kFeed, "viscous friction",
      [](MachineParameters& m) -> double& { return m.feed.viscous_friction_ns_m; }},
@@ -102,8 +102,8 @@ TEST_P(Sensitivity, IsTheDerivativeOfTheInnovationsWithAnEffectInTheModel) {
       EXPECT_NEAR(found.slope, 1.0, 0.02) << parameters[j].name;
     }
   };
-  check(kSpindle);
-  check(kFeed);
+  check(kSpindleParameters);
+  check(kFeedParameters);
 }
 
 INSTANTIATE_TEST_SUITE_P(
