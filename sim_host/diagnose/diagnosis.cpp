@@ -229,7 +229,7 @@ class Diagnosis {
     is_judged_by_share_ = is_closed || is_left;
     if (!is_judged_by_share_) return;
     result_.verdict = is_closed ? Verdict::kEffect : Verdict::kUnexplained;
-    result_.unexplained_share = 1.0 - result_.shrinkage.share_closed;
+    if (is_left) result_.unexplained_share = 1.0 - result_.shrinkage.share_closed;
     rank();
   }
 

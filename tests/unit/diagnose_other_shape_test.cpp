@@ -22,7 +22,7 @@ RecordingSignals seen_eccentrically(double once, double more, double order) {
 
 TEST(OtherShape, KeepsItsNameWhereTheGapCloses) {
   // No eccentricity of the catalogue has anything three times a turn.
-  const DiagnosisResult result = diagnosed(seen_eccentrically(0.02, 0.004, 3.0), datasheet(0.0));
+  const DiagnosisResult result = diagnosed(seen_eccentrically(0.02, 0.0027, 3.0), datasheet(0.0));
   EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
   ASSERT_FALSE(result.which.empty()) << said(result);
   EXPECT_EQ(result.which.front().effect, Effect::kEncoderEccentricity) << said(result);
