@@ -12,7 +12,7 @@ struct Surprises {
 
 Surprises surprises_of(const AxisFit& fit);
 
-/// Share that nothing but a wrong model makes. Right ones had up to 0.001 on 88 recordings of three other
+/// Share that nothing but a wrong model makes. Right ones had up to 0.001 on 83 recordings of three other
 /// simulators without effect, two outliers among 16000 rows included.
 inline constexpr double kMostSurprising = 0.01;
 
