@@ -173,10 +173,8 @@ double AxisOutcome::named_deviance() const {
 }
 
 double AxisOutcome::unnamed_deviance_in(gap::Balance balance) const {
-  const RecordingSignals& signals = diagnosis.fit.signals();
   // Without a current, the torque's balance is all that is evaluated of both.
-  const bool has_voltage = signals.has(Channel::kArmatureCurrent) && !signals.is_current_driven;
-  const double torque = has_voltage ? leftover.torque_share : 1.0;
+  const double torque = diagnosis.fit.signals().has_electrics() ? leftover.torque_share : 1.0;
   const double share = balance == gap::Balance::kArmatureVoltage ? 1.0 - torque
                        : balance == gap::Balance::kSpindleTorque ? torque
                                                                  : 1.0;

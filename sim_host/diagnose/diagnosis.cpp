@@ -15,7 +15,9 @@
 #include "sim_host/diagnose/board_watch.hpp"
 #include "sim_host/diagnose/clock_jitter.hpp"
 #include "sim_host/diagnose/current_drive.hpp"
+#include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
+#include "sim_host/diagnose/fitted_machine.hpp"
 #include "sim_host/diagnose/lone_samples.hpp"
 #include "sim_host/diagnose/model_comparison.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
@@ -64,7 +66,7 @@ class Diagnosis {
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     for (const LoneSamples& lone : leave_out_lone_samples(signals_, sensors))
-      result_.notices.push_back(sentence_of(lone));
+      result_.notices.push_back(sentence_of(lone, signals_));
     calm_temperatures(signals_);
     follow_motion(signals_);
     datasheet_ = {.machine = machine_.configuration.machine,
@@ -84,13 +86,6 @@ class Diagnosis {
     watch_like_a_board();
   }
 
-  std::string sentence_of(const LoneSamples& lone) const {
-    return fmt::format(
-        "{}: {} sample{} alone, up to {:.0f} standard deviations away, the first at {:.4f} s; left out",
-        kChannels[index_of(lone.channel)].column, lone.count, lone.count == 1 ? " stands" : "s stand",
-        lone.farthest, signals_.start_s + signals_.time_s(lone.first_row));
-  }
-
   [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }
 
   /// What was left of the recording after dead sensors were, and what there is to say about it.
@@ -99,7 +94,10 @@ class Diagnosis {
 
   DiagnosisResult take_result(MachineDescription& with_effects) {
     for (const AxisOutcome& outcome : outcomes_) options_.on_axis(outcome.diagnosis);
-    with_effects = machine_with_effects();
+    with_effects = machine_with_effects(machine_, outcomes_, {recording_scales(), file_scales()});
+    with_effects.configuration.gap = result_.for_board;
+    for (const SettingKey& key : setting_keys())
+      if (key.table == "gap") with_effects.stated.insert(full_name(key));
     return std::move(result_);
   }
 
@@ -221,22 +219,21 @@ class Diagnosis {
                        [effect](const EffectResult& e) { return e.effect == effect; });
   }
 
+  [[nodiscard]] bool names_a_play() const {
+    return std::any_of(result_.which.begin(), result_.which.end(),
+                       [](const EffectResult& e) { return keeps_its_side(e.effect); });
+  }
+
   /// Pieces that were not fitted to have the last word on whether names explain the gap.
   void reconsider() {
     const bool is_closed = is_unexplained() && is_nearly_closed(result_.shrinkage);
-    const bool is_left = result_.verdict == Verdict::kEffect && faults_.empty() && !has_chaotic_effect() &&
+    const bool is_left = result_.verdict == Verdict::kEffect && faults_.empty() && !names_a_play() &&
                          is_hardly_closed(result_.shrinkage, result_.where);
     is_judged_by_share_ = is_closed || is_left;
     if (!is_judged_by_share_) return;
     result_.verdict = is_closed ? Verdict::kEffect : Verdict::kUnexplained;
     if (is_left) result_.unexplained_share = 1.0 - result_.shrinkage.share_closed;
     rank();
-  }
-
-  /// On which side of a play a slide is, no model knows for long: its size can be right and the gap stay.
-  [[nodiscard]] bool has_chaotic_effect() const {
-    return std::any_of(result_.which.begin(), result_.which.end(),
-                       [](const EffectResult& e) { return e.effect == Effect::kFeedBacklash; });
   }
 
   void rank() {
@@ -304,23 +301,16 @@ class Diagnosis {
     if (!result_.which.empty()) share_closed(gaps, unnamed, options_.seed, result_.shrinkage);
   }
 
-  /// Without a current, all that acts on the spindle shows in the balance of its torque.
-  [[nodiscard]] std::optional<gap::Balance> balance_shown_by(gap::EffectGroup group) const {
-    if (group == gap::EffectGroup::kSensor) return std::nullopt;
-    const auto balance = static_cast<gap::Balance>(group);
-    const bool is_hidden = balance == gap::Balance::kArmatureVoltage && !signals_.has_electrics();
-    return is_hidden ? gap::Balance::kSpindleTorque : balance;
-  }
-
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
     if (!balance.is_evaluated) return;
     for (const SamplingFault& fault : faults_)
-      balance.is_significant |= balance.balance == host::balance_shown_by(fault.channel);
+      balance.is_significant |= balance.balance == balance_shown_by(fault.channel);
     bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
       const auto group = gap::info_of(finding.effect.form.effect).group;
-      const bool is_here = balance_shown_by(group) == balance.balance;
       const bool is_sensor = group == gap::EffectGroup::kSensor;
+      const bool is_here =
+          !is_sensor && signals_.balance_that_shows(static_cast<gap::Balance>(group)) == balance.balance;
       if (!is_here && !is_sensor) continue;
       balance.is_significant |= is_here || balance.residual_ratio > kVisible * balance.residual_ratio_after;
       const bool is_late_fault = is_sensor && finding.effect.onset_s > 0.0 && balance.is_significant;
@@ -346,8 +336,8 @@ class Diagnosis {
     gap::GapSettings settings =
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
-    result_.board =
-        watch_on_board(signals_, machine_.configuration.machine, refitted_machine(), sight, settings);
+    result_.board = watch_on_board(signals_, machine_.configuration.machine,
+                                   refitted(machine_.configuration.machine, outcomes_), sight, settings);
     result_.board_agrees = agree(result_.board, result_);
     result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
     for (gap::GapLimits* limits : {&result_.for_board.spindle, &result_.for_board.feed})
@@ -361,37 +351,6 @@ class Diagnosis {
     for (const AxisOutcome& outcome : outcomes_)
       for (const Finding& finding : outcome.diagnosis.found) first = std::min(first, finding.effect.onset_s);
     return first < result_.duration_s ? first : 0.0;
-  }
-
-  /// With the values that fit best without any effect.
-  MachineParameters refitted_machine() const {
-    MachineParameters machine = machine_.configuration.machine;
-    for (const AxisOutcome& outcome : outcomes_) take_values(outcome.diagnosis.nominal, machine);
-    return machine;
-  }
-
-  static void take_values(const AxisFit& fit, MachineParameters& machine) {
-    const MachineParameters& fitted = fit.model().machine;
-    if (fit.axis() == Axis::kSpindle)
-      machine.spindle = fitted.spindle;
-    else
-      machine.feed = fitted.feed;
-  }
-
-  MachineDescription machine_with_effects() const {
-    MachineDescription machine = machine_;
-    machine.configuration.gap = result_.for_board;
-    for (const SettingKey& key : setting_keys())
-      if (key.table == "gap") machine.stated.insert(full_name(key));
-    for (const AxisOutcome& outcome : outcomes_) {
-      take_values(outcome.diagnosis.fit, machine.configuration.machine);
-      for (gap::AppliedEffect effect : outcome.diagnosis.fit.model().effects) {
-        if (has_no_size(effect.form.effect, signals_)) continue;
-        effect.onset_s = 0.0;  // of this recording; from now on the machine has it
-        machine.effects.push_back(gap::restated(effect, recording_scales(), file_scales()));
-      }
-    }
-    return machine;
   }
 
   std::mutex one_at_a_time_;

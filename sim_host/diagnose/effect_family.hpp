@@ -34,4 +34,8 @@ constexpr Family family_of(gap::Effect effect) {
 
 constexpr bool is_lag(Family family) { return family == Family::kElectricLag || family == Family::kFeedLag; }
 
+/// On which side of a play a slide is, pieces of a recording do not tell, nor does any model know it for
+/// long: its size can be right and the gap stay.
+constexpr bool keeps_its_side(gap::Effect effect) { return effect == gap::Effect::kFeedBacklash; }
+
 }  // namespace morepro::host

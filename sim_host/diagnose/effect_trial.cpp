@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lib/gap/dry_friction.hpp"
+#include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -25,9 +26,6 @@ gap::AppliedEffect beginning_of(const Candidate& candidate) {
 constexpr bool has_blurred_shape(gap::Effect effect) {
   return gap::is_dry_friction(effect) && !gap::is_stribeck(effect);
 }
-
-/// Which side of the play the slide is on, pieces of a recording do not tell.
-constexpr bool keeps_its_side(gap::Effect effect) { return effect == gap::Effect::kFeedBacklash; }
 
 /// The model with one effect more, fitted to a part of the recording.
 AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const AxisFit::Rival& without,

@@ -1,5 +1,7 @@
 #include "sim_host/diagnose/lone_samples.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -117,6 +119,13 @@ std::vector<LoneSamples> leave_out_lone_samples(RecordingSignals& signals, const
     if (const LoneSamples lone = take_out_of(signals, channel, noise); lone.count > 0) found.push_back(lone);
   }
   return found;
+}
+
+std::string sentence_of(const LoneSamples& lone, const RecordingSignals& signals) {
+  return fmt::format(
+      "{}: {} sample{} alone, up to {:.0f} standard deviations away, the first at {:.4f} s; left out",
+      kChannels[index_of(lone.channel)].column, lone.count, lone.count == 1 ? " stands" : "s stand",
+      lone.farthest, signals.start_s + signals.time_s(lone.first_row));
 }
 
 }  // namespace morepro::host

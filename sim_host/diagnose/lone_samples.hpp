@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lib/monitor/monitor_configuration.hpp"
@@ -18,5 +19,8 @@ struct LoneSamples {
 
 /// Takes them out of `signals`, where they are so few that no structure of the machine's makes them.
 std::vector<LoneSamples> leave_out_lone_samples(RecordingSignals& signals, const Sensors& sensors);
+
+/// What a user is told of them.
+std::string sentence_of(const LoneSamples& lone, const RecordingSignals& signals);
 
 }  // namespace morepro::host

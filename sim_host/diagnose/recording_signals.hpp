@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/frame/channel.hpp"
+#include "lib/gap/effect.hpp"
 #include "lib/gap/gap_frame.hpp"
 #include "lib/plant/machine_parameters.hpp"
 
@@ -37,6 +38,12 @@ struct RecordingSignals {
   [[nodiscard]] bool has(Channel channel) const { return (recorded & bit_of(channel)) != 0; }
   /// Is there a current to be predicted from the voltage?
   [[nodiscard]] bool has_electrics() const { return has(Channel::kArmatureCurrent) && !is_current_driven; }
+  /// The balance that shows what acts on one: without a current, all that acts on the spindle shows in that
+  /// of its torque.
+  [[nodiscard]] gap::Balance balance_that_shows(gap::Balance acted_on) const {
+    const bool is_hidden = acted_on == gap::Balance::kArmatureVoltage && !has_electrics();
+    return is_hidden ? gap::Balance::kSpindleTorque : acted_on;
+  }
   [[nodiscard]] double duration_s() const { return static_cast<double>(rows) / rate_hz; }
   [[nodiscard]] double time_s(std::size_t row) const { return static_cast<double>(row) / rate_hz; }
   [[nodiscard]] double cutting_time_at(double time_s) const;

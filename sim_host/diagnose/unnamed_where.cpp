@@ -92,10 +92,9 @@ std::string words_for(const gap::EffectForm& form, const gap::EffectScales<doubl
 
 gap::Balance balance_of(const gap::EffectForm& form, const RecordingSignals& signals) {
   if (form.effect == gap::Effect::kUnnamedForce) return gap::Balance::kFeedForce;
-  // Without a current, the torque's balance is all that is evaluated of both.
-  return form.effect == gap::Effect::kUnnamedVoltage && signals.has(Channel::kArmatureCurrent)
-             ? gap::Balance::kArmatureVoltage
-             : gap::Balance::kSpindleTorque;
+  const bool acts_on_voltage = form.effect == gap::Effect::kUnnamedVoltage;
+  return signals.balance_that_shows(acts_on_voltage ? gap::Balance::kArmatureVoltage
+                                                    : gap::Balance::kSpindleTorque);
 }
 
 /// The model with the functions that stand in for what has no name.

@@ -2,7 +2,7 @@
 
 import unittest
 
-from diagnose_test import Diagnose
+from diagnose_program import Diagnose
 
 
 class Applied(Diagnose):

@@ -1,44 +1,10 @@
 """Where the model is wrong, which effect explains it, how far that shrinks the gap: as a user asks for it."""
 
-import csv
 import json
 import random
 import unittest
 
-from program import ProgramTest
-
-DRIVE = ("spindle_speed_rad_s", "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
-SPINDLE = ("armature_voltage_v", "spindle_speed_rad_s")
-
-
-class Diagnose(ProgramTest):
-    def simulate(self, *options, duration=6, profile="rich"):
-        seed = () if "--seed" in options else ("--seed", 5)
-        self.must_do("simulate", "--profile", profile, "--duration", duration, *seed, *options, "--out", "run.csv")
-
-    def lose_rows(self, *gaps_s):
-        """Takes the rows of these times out of run.csv."""
-        def is_there(line):
-            first = line.split(",")[0]
-            is_row = first[:1].isdigit()
-            return not is_row or not any(begin <= float(first) < end for begin, end in gaps_s)
-        lines = (self.folder / "run.csv").read_text().splitlines()
-        self.write("run.csv", "\n".join(line for line in lines if is_there(line)) + "\n")
-
-    def diagnose(self, *options, recording="run.csv"):
-        done = self.must_do("diagnose", recording, "--bootstrap", 20, "--json", "-", *options)
-        return json.loads(done.stdout)
-
-    def names(self, result):
-        return [effect["effect"] for effect in result["which"]]
-
-    def keep_columns(self, *names):
-        path = self.folder / "run.csv"
-        comments = [line for line in path.read_text().splitlines() if line.startswith("#")]
-        rows = list(csv.DictReader(line for line in path.read_text().splitlines() if not line.startswith("#")))
-        lines = comments + [",".join(("time_s", *names))]
-        lines += [",".join(row[name] for name in ("time_s", *names)) for row in rows]
-        self.write("part.csv", "\n".join(lines) + "\n")
+from diagnose_program import Diagnose
 
 
 class Verdicts(Diagnose):
@@ -98,25 +64,25 @@ class Verdicts(Diagnose):
         result = self.diagnose()
         self.assertEqual(self.names(result)[0], "current_bias")
 
-    def test_what_sets_in_late_keeps_its_size_beside_a_wrong_datasheet(self):
-        # Known to a block of a quarter of a second only, the onset left a disturbance of 0.1 s, which bent the
-        # parameters until nothing was left of the size.
-        self.simulate("--effect", "supply_voltage_offset=2.8,from=2.4", "--process-noise", 0.1, "--datasheet-error", 0.25,
-                      "--seed", 2, "--machine-out", "wrong.toml", profile="production")
+    def late_offset_beside_a_wrong_datasheet(self, process_noise):
+        self.simulate("--effect", "supply_voltage_offset=2.8,from=2.4", "--process-noise", process_noise,
+                      "--datasheet-error", 0.25, "--seed", 2, "--machine-out", "wrong.toml", profile="production")
         result = self.diagnose("--machine", "wrong.toml")
         self.assertEqual(self.names(result), ["supply_voltage_offset"])
         self.assertAlmostEqual(result["which"][0]["magnitude"], 2.8, delta=0.05)
+        return result
+
+    def test_what_sets_in_late_keeps_its_size_beside_a_wrong_datasheet(self):
+        # Known to a block of a quarter of a second only, the onset left a disturbance of 0.1 s, which bent the
+        # parameters until nothing was left of the size.
+        result = self.late_offset_beside_a_wrong_datasheet(0.1)
         voltage = next(b for b in result["where"] if b["balance"] == "armature_voltage")
         self.assertAlmostEqual(voltage["onset_s"], 2.4, delta=0.01)
 
     def test_what_sets_in_late_does_not_pass_for_noise(self):
         # Fitted with process noise, all of the recording looked like a wrong datasheet, with rows far beyond
         # what any noise makes: the time before the onset has to be looked at by itself.
-        self.simulate("--effect", "supply_voltage_offset=2.8,from=2.4", "--process-noise", 0.3, "--datasheet-error", 0.25,
-                      "--seed", 2, "--machine-out", "wrong.toml", profile="production")
-        result = self.diagnose("--machine", "wrong.toml")
-        self.assertEqual(self.names(result), ["supply_voltage_offset"])
-        self.assertAlmostEqual(result["which"][0]["magnitude"], 2.8, delta=0.05)
+        self.late_offset_beside_a_wrong_datasheet(0.3)
 
     def test_an_effect_out_of_the_catalogue_is_not_named(self):
         self.simulate("--effect", "spindle_windage=1e-6")
@@ -125,14 +91,7 @@ class Verdicts(Diagnose):
 
     def test_samples_that_stand_alone_are_left_out_and_said(self):
         self.simulate("--effect", "feed_coulomb_friction=4", duration=3)
-        lines = (self.folder / "run.csv").read_text().splitlines()
-        head = next(i for i, line in enumerate(lines) if line.startswith("time_s"))
-        column = lines[head].split(",").index("feed_position_m")
-        for row in (head + 5001, head + 12001, head + 20001):
-            cells = lines[row].split(",")
-            cells[column] = str(float(cells[column]) + 0.002)
-            lines[row] = ",".join(cells)
-        self.write("run.csv", "\n".join(lines) + "\n")
+        self.change_cells("feed_position_m", (5000, 12000, 20000), by=0.002)
         done = self.must_do("diagnose", "run.csv", "--bootstrap", 0, "--json", "out.json")
         self.assertIn("feed_position_m: 3 samples stand alone", done.stderr)
         self.assertIn("the first at 0.5000 s", done.stderr)
@@ -141,16 +100,9 @@ class Verdicts(Diagnose):
 
     def test_a_sensor_that_is_off_now_and_then_is_no_health(self):
         self.simulate(duration=4)
-        lines = (self.folder / "run.csv").read_text().splitlines()
-        head = next(i for i, line in enumerate(lines) if line.startswith("time_s"))
-        column = lines[head].split(",").index("spindle_speed_rad_s")
         places = random.Random(1)
-        for first in [places.randrange(head + 1, len(lines) - 20) for _ in range(40)]:
-            for row in range(first, first + 20):
-                cells = lines[row].split(",")
-                cells[column] = str(float(cells[column]) + 30.0)
-                lines[row] = ",".join(cells)
-        self.write("run.csv", "\n".join(lines) + "\n")
+        bursts = [range(first, first + 20) for first in (places.randrange(39980) for _ in range(40))]
+        self.change_cells("spindle_speed_rad_s", (row for burst in bursts for row in burst), by=30.0)
         self.assertEqual(self.diagnose()["verdict"], "unexplained")
 
     def test_the_step_of_an_input_is_no_error_and_not_silent(self):
@@ -232,127 +184,6 @@ class Verdicts(Diagnose):
                               "--seed", seed, duration=8, profile="production")
                 result = self.diagnose("--machine", "wrong.toml")
                 self.assertEqual((result["verdict"], self.names(result)), ("parameter_error", []))
-
-
-class HalfAMachine(Diagnose):
-    def test_a_feed_axis_alone(self):
-        self.simulate("--effect", "feed_coulomb_friction=6", duration=3)
-        self.keep_columns("feed_force_n", "feed_speed_m_s", "contact")
-        result = self.diagnose(recording="part.csv")
-        self.assertIn("feed_coulomb_friction", result["which"][0]["alias_set"])
-        evaluated = {balance["balance"]: balance["evaluated"] for balance in result["where"]}
-        self.assertEqual(evaluated, {"feed_force": True, "spindle_torque": False, "armature_voltage": False})
-
-    def test_a_spindle_without_a_current_sensor(self):
-        self.simulate()
-        self.keep_columns(*SPINDLE, "contact", "chip_load_mm", "tool_temperature_degc")
-        self.assertEqual(self.diagnose(recording="part.csv")["which"], [])
-
-    def test_a_gap_without_a_current_sensor_is_the_torques_and_closes(self):
-        # The winding lets a voltage through late; where its current is not recorded that is no gap.
-        self.simulate("--effect", "supply_voltage_offset=0.5", "--datasheet-error", 0.1, "--machine-out", "wrong.toml",
-                      profile="commissioning")
-        self.keep_columns(*SPINDLE, "contact", "chip_load_mm", "tool_temperature_degc")
-        result = self.diagnose("--machine", "wrong.toml", recording="part.csv")
-        self.assertIn("supply_voltage_offset", result["which"][0]["alias_set"])
-        torque = next(b for b in result["where"] if b["balance"] == "spindle_torque")
-        self.assertGreater(torque["residual_ratio"], 2.0)
-        self.assertLess(torque["residual_ratio_after"], 1.2)
-        self.assertGreater(result["shrinkage"]["share_closed"], 0.9)
-        self.assertTrue(torque["significant"])
-
-    def test_a_spindle_without_its_voltage_is_driven_by_its_current(self):
-        self.simulate("--effect", "tool_wear_ramp=0.02", "--datasheet-error", 0.1, "--machine-out", "wrong.toml")
-        self.keep_columns(*DRIVE)
-        result = self.diagnose("--machine", "wrong.toml", "--apply", "found.toml", recording="part.csv")
-        self.assertEqual(self.names(result), ["tool_wear_ramp"])
-        self.assertAlmostEqual(result["which"][0]["magnitude"], 0.02, delta=0.001)
-        where = {balance["balance"]: balance for balance in result["where"]}
-        self.assertTrue(where["spindle_torque"]["significant"])
-        self.assertEqual(where["armature_voltage"]["reason"], "not recorded: armature_voltage_v")
-        parameters = {p["name"]: p for p in result["parameters"]}
-        self.assertAlmostEqual(parameters["inertia_kgm2"]["refit"], 1.2e-4, delta=2e-6)
-        for name in ("resistance_ohm", "back_emf_constant_vs_rad", "inductance_h"):
-            self.assertFalse(parameters[name]["identifiable"], name)
-            self.assertEqual(parameters[name]["refit"], parameters[name]["datasheet"], name)
-            line = next(line for line in (self.folder / "wrong.toml").read_text().splitlines() if name in line)
-            self.assertIn(line, (self.folder / "found.toml").read_text())
-
-    def test_a_wrong_current_that_drives_a_spindle_is_told_from_a_wrong_speed(self):
-        self.simulate("--effect", "current_bias=0.2")
-        self.keep_columns(*DRIVE)
-        result = self.diagnose(recording="part.csv")
-        self.assertEqual(self.names(result), ["current_bias"])
-        self.assertAlmostEqual(result["which"][0]["magnitude"], 0.2, delta=0.01)
-
-    def test_a_current_that_drives_a_spindle_is_found_again_behind_lost_rows(self):
-        # What it changed by is not known there: only the sensor tells.
-        self.simulate("--effect", "current_bias=0.2")
-        self.keep_columns(*DRIVE)
-        lines = (self.folder / "part.csv").read_text().splitlines()
-        self.write("part.csv", "\n".join(line for i, line in enumerate(lines) if i < 40 or i * 7919 % 25) + "\n")
-        found = {effect["effect"]: effect for effect in self.diagnose(recording="part.csv")["which"]}
-        self.assertEqual(set(found), {"sample_dropout", "current_bias"})
-        self.assertAlmostEqual(found["current_bias"]["magnitude"], 0.2, delta=0.02)
-
-    def test_a_late_current_that_drives_a_spindle_is_no_sure_shaft(self):
-        self.simulate("--effect", "current_delay=3e-4")
-        self.keep_columns(*DRIVE)
-        done = self.must_do("diagnose", "part.csv", "--bootstrap", 0, "--json", "out.json")
-        self.assertIn("armature_voltage_v is not recorded: the current drives the spindle", done.stderr)
-        effect = json.loads((self.folder / "out.json").read_text())["which"][0]
-        self.assertIn("current_delay", effect["alias_set"])
-        self.assertLess(effect["confidence"], 0.5)
-
-    def test_a_winding_whose_temperature_is_not_recorded_is_heated_by_its_current(self):
-        for effect in ("resistance_temperature_drift=0.0039", "magnet_temperature_drift=-0.002"):
-            with self.subTest(effect):
-                self.simulate("--effect", effect, "--datasheet-error", 0.1, "--machine-out", "wrong.toml", duration=8)
-                self.keep_columns(*SPINDLE, "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
-                done = self.must_do("diagnose", "part.csv", "--machine", "wrong.toml", "--bootstrap", 0,
-                                    "--json", "out.json", "--apply", "found.toml")
-                self.assertIn("winding_temperature_degc is not recorded", done.stderr)
-                result = json.loads((self.folder / "out.json").read_text())
-                self.assertEqual(self.names(result), [effect.split("=")[0]])
-                self.assertIsNone(result["which"][0]["magnitude"])
-                self.assertIsNone(result["which"][0]["standard_error"])
-                self.assertIn(f"{effect.split('=')[0]} = undetermined", done.stdout)
-                # Without a size it is nothing that a model could have.
-                self.assertNotIn("[[effects]]", (self.folder / "found.toml").read_text())
-
-    def test_a_winding_whose_temperature_is_not_recorded_does_not_take_over(self):
-        self.simulate("--effect", "brush_voltage_drop=0.1")
-        self.keep_columns(*SPINDLE, "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
-        self.assertEqual(self.names(self.diagnose(recording="part.csv")), ["brush_voltage_drop"])
-
-    def test_what_is_not_evaluated_says_what_it_lacks(self):
-        self.simulate(duration=2)
-        self.keep_columns("feed_force_n", "feed_speed_m_s", "contact")
-        result = self.diagnose(recording="part.csv")
-        reasons = {balance["balance"]: balance.get("reason") for balance in result["where"]}
-        self.assertEqual(reasons["spindle_torque"], "not recorded: armature_voltage_v, spindle_speed_rad_s")
-        self.assertEqual(reasons["armature_voltage"],
-                         "not recorded: armature_voltage_v, spindle_speed_rad_s, armature_current_a")
-
-    def test_an_axis_known_by_its_position_alone_is_seen_at_the_full_rate(self):
-        self.simulate("--datasheet-error", 0.2, "--machine-out", "wrong.toml", duration=4)
-        self.keep_columns("feed_force_n", "feed_position_m", "contact", "engagement")
-        result = self.diagnose("--machine", "wrong.toml", recording="part.csv")
-        self.assertEqual(result["verdict"], "parameter_error")
-        mass = {p["name"]: p for p in result["parameters"]}["mass_kg"]
-        self.assertAlmostEqual(mass["refit"], 3.0, delta=max(5 * mass["standard_error"], 0.003))
-
-    def test_too_short_says_so(self):
-        self.simulate(duration=0.05)
-        result = self.diagnose()
-        self.assertEqual(result["verdict"], "insufficient_excitation")
-        self.assertEqual(result["which"], [])
-
-    def test_nothing_that_moves_tells_nothing(self):
-        rows = ["time_s,armature_voltage_v,spindle_speed_rad_s,armature_current_a"]
-        rows += [f"{k * 1e-4:.4f},0,0,0" for k in range(5000)]
-        self.write("run.csv", "\n".join(rows) + "\n")
-        self.assertEqual(self.diagnose("--machine", "reference")["verdict"], "insufficient_excitation")
 
 
 class TwoLagsInARow(Diagnose):

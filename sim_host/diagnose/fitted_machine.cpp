@@ -1,0 +1,38 @@
+#include "sim_host/diagnose/fitted_machine.hpp"
+
+#include "lib/gap/effect_size.hpp"
+#include "sim_host/diagnose/winding_heat.hpp"
+
+namespace morepro::host {
+namespace {
+
+void take_values(const AxisFit& fit, MachineParameters& machine) {
+  const MachineParameters& fitted = fit.model().machine;
+  if (fit.axis() == Axis::kSpindle)
+    machine.spindle = fitted.spindle;
+  else
+    machine.feed = fitted.feed;
+}
+
+}  // namespace
+
+MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcome> outcomes) {
+  for (const AxisOutcome& outcome : outcomes) take_values(outcome.diagnosis.nominal, machine);
+  return machine;
+}
+
+MachineDescription machine_with_effects(MachineDescription machine, std::span<const AxisOutcome> outcomes,
+                                        const ScalesOfEffects& scales) {
+  for (const AxisOutcome& outcome : outcomes) {
+    const AxisFit& fit = outcome.diagnosis.fit;
+    take_values(fit, machine.configuration.machine);
+    for (gap::AppliedEffect effect : fit.model().effects) {
+      if (has_no_size(effect.form.effect, fit.signals())) continue;
+      effect.onset_s = 0.0;
+      machine.effects.push_back(gap::restated(effect, scales.found, scales.stated));
+    }
+  }
+  return machine;
+}
+
+}  // namespace morepro::host

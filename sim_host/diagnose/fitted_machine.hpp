@@ -1,0 +1,24 @@
+#pragma once
+#include <span>
+
+#include "lib/gap/effect_scales.hpp"
+#include "sim_host/diagnose/axis_outcome.hpp"
+#include "sim_host/machine/machine_description.hpp"
+
+namespace morepro::host {
+
+/// What an effect was found with, and what a machine file states it with.
+struct ScalesOfEffects {
+  gap::EffectScales<double> found;
+  gap::EffectScales<double> stated;
+};
+
+/// The machine with the values that fit best without any effect.
+MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcome> outcomes);
+
+/// The machine with the values that fit best beside the effects that were found, and with these, as it is
+/// after the recording: what set in stays.
+MachineDescription machine_with_effects(MachineDescription machine, std::span<const AxisOutcome> outcomes,
+                                        const ScalesOfEffects& scales);
+
+}  // namespace morepro::host
