@@ -74,6 +74,10 @@ constexpr bool bends(Effect effect) {
   }
 }
 
+/// May its form have a second part that refines it, whose size is not the effect's? A bend, or what damps a
+/// bristle.
+constexpr bool may_be_refined(Effect effect) { return bends(effect) || effect == Effect::kFeedPresliding; }
+
 /// Is it friction that is gone beyond a range of speeds?
 constexpr bool is_stribeck(Effect effect) {
   return effect == Effect::kSpindleStribeckFriction || effect == Effect::kFeedStribeckFriction;

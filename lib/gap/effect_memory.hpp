@@ -88,17 +88,20 @@ class Resonance {
   Real rate_ = 0;
 };
 
-/// Mean deflection over a step of a bristle that yields over a distance, in units of its largest (Dahl's
-/// model), -1 .. 1.
+/// A bristle that yields over a distance (Dahl's model): its deflection in units of the largest, -1 .. 1.
 template <class Real>
 class Bristle {
  public:
-  Real operator()(Real travel_m, Real yield_m) {
+  struct Deflection {
+    Real mean;    ///< over a step
+    Real change;  ///< within it
+  };
+  Deflection operator()(Real travel_m, Real yield_m) {
     const Real side = travel_m < Real(0) ? Real(-1) : Real(1);
     const Real keep = math::exp_of_nonpositive(-side * travel_m / yield_m);
     const Real before = deflection_;
     deflection_ = side + (before - side) * keep;
-    return Real(0.5) * (before + deflection_);
+    return {Real(0.5) * (before + deflection_), deflection_ - before};
   }
 
  private:

@@ -81,7 +81,7 @@ inline double size_of(const AppliedEffect& one, const EffectScales<double>& scal
     const double ratio = one.coefficient[0];
     return frequency_rad_s * frequency_rad_s * scales.inertia_kgm2 * ratio / ((1.0 + ratio) * (1.0 + ratio));
   }
-  if (one.form.parts == 1 || bends(one.form.effect)) return one.coefficient[0];
+  if (one.form.parts == 1 || may_be_refined(one.form.effect)) return one.coefficient[0];
   // An encoder that is not round is no more eccentric for it.
   const std::size_t counted = one.form.effect == Effect::kEncoderEccentricity ? 2 : one.form.parts;
   double power = 0.0;

@@ -37,7 +37,7 @@ class EffectTerm {
       case Effect::kFeedBacklash:
         return {.force_n = in_play(s, k)};
       case Effect::kFeedPresliding:
-        return {.force_n = -bristle_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape))};
+        return {.force_n = bristled(s)};
       case Effect::kSpindleSpeedDelay:
         return {.speed_rad_s = delayed(s.driven_speed_rad_s)};
       case Effect::kCurrentDelay:
@@ -95,6 +95,12 @@ class EffectTerm {
     if (form_.effect < Effect::kSpindleSpeedBias)
       return {.torque_nm = laws::torque(form_, part_, s, k), .voltage_v = laws::voltage(form_, s, k)};
     return {.speed_rad_s = laws::speed_error(form_, part_, s), .current_a = laws::current_error(form_, s)};
+  }
+
+  /// Part 1: what damps the bristle, per 1/s of its deflection (the model of Canudas de Wit).
+  Real bristled(const EffectSignals<Real>& s) {
+    const auto deflection = bristle_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape));
+    return part_ == 0 ? -deflection.mean : -deflection.change / step_s_;
   }
 
   /// Drive and slide have half of the mass each. What the slide is braked with drives the two apart like the

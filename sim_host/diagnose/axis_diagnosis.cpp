@@ -119,6 +119,7 @@ class DiagnosisSearch {
     let_set_in(fit_, diagnosis_.rest, ranked);
     is_astray_ = is_bent(fit_);
     if (is_astray_) prefer_by_datasheet(ranked);
+    prefer_what_friction_holds(ranked);
     if (add_best_of(ranked)) return true;
     // A model without effects may have taken for noise what is missing.
     if (is_astray_ || !diagnosis_.found.empty() || leaves_noise(fit_)) return false;
@@ -131,8 +132,7 @@ class DiagnosisSearch {
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
-    if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect))
-      sharpen_range(winner);
+    if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect)) sharpen_range(winner);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     left_out_.push_back(ranked.front().form.effect);
     fit_ = std::move(winner);
@@ -213,6 +213,21 @@ class DiagnosisSearch {
     }
   }
 
+  /// A constant force on an axis that sticks is in no linearisation: the friction holds it, and gets bent by
+  /// it. So where a friction leaves more than noise the force gets its trial, whatever it promises.
+  void prefer_what_friction_holds(std::vector<Candidate>& ranked) const {
+    if (diagnosis_.found.empty() || leaves_noise(fit_)) return;
+    const bool is_held = std::any_of(diagnosis_.found.begin(), diagnosis_.found.end(), [](const Finding& f) {
+      return family_of(f.effect.form.effect) == Family::kDryFriction;
+    });
+    const auto force = std::find_if(ranked.begin(), ranked.end(), [](const Candidate& c) {
+      return c.form.effect == gap::Effect::kFeedForceOffset;
+    });
+    if (!is_held || force == ranked.end()) return;
+    force->evidence = std::max(ranked.front().evidence, diagnosis_.least_evidence);
+    std::rotate(ranked.begin(), force, force + 1);
+  }
+
   static const AxisFit* fit_of(const std::vector<EffectTrial>& trials, const Candidate& candidate) {
     for (const EffectTrial& trial : trials)
       if (trial.candidate.form.effect == candidate.form.effect) return &trial.fit;
@@ -288,6 +303,20 @@ class DiagnosisSearch {
     return diagnosis_.needed(finding, enough);
   }
 
+  /// What was chosen later, beside `dropped`, and does its work alone now, has had the same rivals as that.
+  static void inherit_rivals(const Finding& dropped, Finding& left) {
+    const gap::Effect effect = left.effect.form.effect;
+    const Family family = family_of(effect);
+    if (family == Family::kNone || family != family_of(dropped.effect.form.effect)) return;
+    std::vector<Candidate> rivals = dropped.rivals;
+    std::sort(rivals.begin(), rivals.end(), by_evidence);
+    const auto own = std::find_if(rivals.begin(), rivals.end(),
+                                  [effect](const Candidate& c) { return c.form.effect == effect; });
+    if (own == rivals.end()) return;
+    std::rotate(rivals.begin(), own, own + 1);
+    left.rivals = std::move(rivals);
+  }
+
   /// Takes out what is not worth enough; was there any?
   bool prune() {
     bool has_changed = false;
@@ -301,7 +330,9 @@ class DiagnosisSearch {
                            [&](const Finding& a, const Finding& b) { return lack(a) < lack(b); });
       if (!(lack(*weakest) > 0.0)) break;
       fit_ = std::move(all_without[static_cast<std::size_t>(weakest - diagnosis_.found.begin())]);
+      const Finding dropped = std::move(*weakest);
       diagnosis_.found.erase(weakest);
+      for (Finding& left : diagnosis_.found) inherit_rivals(dropped, left);
       if (diagnosis_.found.empty())
         fit_ = diagnosis_.nominal;
       else

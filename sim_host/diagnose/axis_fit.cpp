@@ -187,7 +187,7 @@ double AxisFit::relative_error_of(gap::Effect effect) const {
 
 double AxisFit::relative_size_error_of(gap::Effect effect) const {
   const auto known = known_size_of(effect);
-  if (!known || !gap::bends(effect)) return relative_error_of(effect);
+  if (!known || !gap::may_be_refined(effect)) return relative_error_of(effect);
   return std::sqrt(known->covariance(0, 0)) / std::max(std::fabs(known->size(0)), 1.0e-300);
 }
 

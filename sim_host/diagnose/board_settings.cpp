@@ -23,7 +23,7 @@ bool has_name(const EffectForm& form) { return gap::index_of(form.effect) < gap:
 
 /// Without its bend where only that has no room.
 void add(EffectForm form, MachineForms& forms) {
-  if (!forms.has_room(form) && gap::bends(form.effect)) form.parts = 1;
+  if (!forms.has_room(form) && gap::may_be_refined(form.effect)) form.parts = 1;
   if (forms.has_room(form)) forms.form[forms.count++] = form;
 }
 

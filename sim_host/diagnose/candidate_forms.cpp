@@ -143,7 +143,9 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
   if (!signals.is_thinned)
     forms.add(Effect::kFeedDriveLag, {0.5 * step_s, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3, 6.4e-3, 1.28e-2});
   forms.add(Effect::kFeedBacklash, {1.0e-6, 3.0e-6, 1.0e-5, 3.0e-5, 1.0e-4, 3.0e-4}, 2);
-  forms.add(Effect::kFeedPresliding, {2.0e-6, 1.0e-5, 5.0e-5, 2.0e-4, 1.0e-3});
+  const std::initializer_list<double> yields_m{2.0e-6, 1.0e-5, 5.0e-5, 2.0e-4, 1.0e-3};
+  forms.add(Effect::kFeedPresliding, yields_m);
+  if (tells_damping(signals)) forms.add(Effect::kFeedPresliding, yields_m, 2);
   if (signals.has(Channel::kFeedSpeed))
     forms.add(Effect::kFeedSpeedDelay, {0.5 * step_s, step_s, 2.0 * step_s, 4.0 * step_s, 8.0 * step_s,
                                         16.0 * step_s, 32.0 * step_s, 64.0 * step_s});
@@ -156,6 +158,8 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
 }
 
 }  // namespace
+
+bool tells_damping(const RecordingSignals& signals) { return !signals.is_thinned; }
 
 std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals,
                                              const GapModel& model, std::span<const gap::Effect> excluded) {

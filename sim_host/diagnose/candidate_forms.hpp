@@ -13,6 +13,9 @@ namespace morepro::host {
 std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals,
                                              const GapModel& model, std::span<const gap::Effect> excluded);
 
+/// Does it tell what damps a bristle? Not as means over several milliseconds.
+bool tells_damping(const RecordingSignals& signals);
+
 /// Structure without a name, for what the catalogue does not explain.
 std::vector<gap::EffectForm> unnamed_forms(Axis axis, const RecordingSignals& signals);
 

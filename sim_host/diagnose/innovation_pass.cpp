@@ -44,16 +44,25 @@ struct SpindleMotion {
   double angle_rad = 0.0;
 };
 
-/// Parts that a spindle's interval between two samples is integrated in. What the tool meets may turn within
-/// a long one; all else is integrated in closed form.
-std::size_t parts_of_interval(const RecordingSignals& signals) {
-  constexpr double kLongestPartS = 1.25e-4;
-  constexpr double kMostParts = 8.0;
-  const bool is_in_contact = !signals.cutting_time_s.empty() && signals.cutting_time_s.back() > 0.0;
-  if (!is_in_contact) return 1;
+/// Does something turn within an interval that no closed form knows? What the tool meets turns with the
+/// spindle, a bristle with the axis.
+bool turns_within(Axis axis, const RecordingSignals& signals, const GapModel& model) {
+  if (axis == Axis::kSpindle) return !signals.cutting_time_s.empty() && signals.cutting_time_s.back() > 0.0;
+  const auto has_bristle = [](const gap::AppliedEffect& one) {
+    return one.form.effect == gap::Effect::kFeedPresliding;
+  };
+  return !signals.is_thinned && (std::any_of(model.known.begin(), model.known.end(), has_bristle) ||
+                                 std::any_of(model.effects.begin(), model.effects.end(), has_bristle));
+}
+
+/// Parts that an interval between two samples is integrated in.
+std::size_t parts_of_interval(Axis axis, const RecordingSignals& signals, const GapModel& model) {
+  constexpr double kLongestS = 1.0e-3;  // that is followed to its end
+  const double part_s = axis == Axis::kSpindle ? 1.25e-4 : 2.5e-4;
+  if (!turns_within(axis, signals, model)) return 1;
   // A rate that is a hair too low needs no more parts.
-  const double parts = std::ceil(0.999 / (kLongestPartS * signals.rate_hz));
-  return static_cast<std::size_t>(std::clamp(parts, 1.0, kMostParts));
+  const double interval_s = std::min(0.999 / signals.rate_hz, kLongestS);
+  return static_cast<std::size_t>(std::ceil(interval_s / part_s));
 }
 
 /// The frame of an instant at which nothing is sampled.
@@ -73,6 +82,7 @@ std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& 
   const auto count = static_cast<double>(parts);
   noise.speed_step /= std::sqrt(count);
   noise.current_step /= std::sqrt(count);
+  noise.feed_step /= std::sqrt(count);
   auto observer = std::make_unique<Observer>(machine, model.point, 1.0 / (count * signals.rate_hz), noise);
   if (disturbances == nullptr) observer->leave_out_columns();
   for (std::size_t i = 0; disturbances != nullptr && i < disturbances->forms.size(); ++i)
@@ -96,7 +106,7 @@ void report(const Row& row, std::size_t columns, Innovation& innovation, const O
 template <class Observer>
 void run_spindle(const RecordingSignals& signals, const GapModel& model, const Disturbances* disturbances,
                  std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
-  const std::size_t parts = parts_of_interval(signals);
+  const std::size_t parts = parts_of_interval(Axis::kSpindle, signals, model);
   const double part_s = 1.0 / (static_cast<double>(parts) * signals.rate_hz);
   const auto observer = make<Observer>(signals, model, disturbances, parts);
   const auto rows = std::make_unique<typename Observer::Rows>();
@@ -121,7 +131,9 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
 template <class Observer>
 void run_feed(const RecordingSignals& signals, const GapModel& model, const Disturbances* disturbances,
               std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
-  const auto observer = make<Observer>(signals, model, disturbances);
+  const std::size_t parts = parts_of_interval(Axis::kFeed, signals, model);
+  const double part_s = 1.0 / (static_cast<double>(parts) * signals.rate_hz);
+  const auto observer = make<Observer>(signals, model, disturbances, parts);
   const auto rows = std::make_unique<typename Observer::Rows>();
   const std::size_t columns = disturbances != nullptr ? observer->columns() : 0;
   observer->count_positions_from(signals.first_position_m());
@@ -138,6 +150,9 @@ void run_feed(const RecordingSignals& signals, const GapModel& model, const Dist
     report(rows->position, columns, innovation, on_innovation);
     innovation.sensor = 1;
     report(rows->speed, columns, innovation, on_innovation);
+    for (std::size_t i = 1; i < parts; ++i)
+      observer->step(unseen(frame, static_cast<double>(i) * part_s), spindle.speed_rad_s, spindle.angle_rad,
+                     *rows);
   }
 }
 

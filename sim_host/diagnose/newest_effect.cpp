@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "sim_host/diagnose/candidate_forms.hpp"
+
 namespace morepro::host {
 namespace {
 
@@ -94,7 +96,8 @@ void sharpen_newest(AxisFit& trial, float widest_share) {
 }
 
 void weigh_bend(AxisFit& trial, std::size_t index) {
-  if (!gap::bends(trial.model().effects[index].form.effect)) return;
+  const gap::Effect effect = trial.model().effects[index].form.effect;
+  if (!gap::bends(effect) && !(gap::may_be_refined(effect) && tells_damping(trial.signals()))) return;
   AxisFit other = trial;
   gap::EffectForm& form = other.model().effects[index].form;
   const double price = std::log(static_cast<double>(trial.signals().rows) + 2.0);

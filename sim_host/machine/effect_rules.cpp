@@ -31,7 +31,7 @@ int highest_kind(Effect effect) {
 }
 
 int most_parts(Effect effect) {
-  if (gap::bends(effect)) return 2;
+  if (gap::may_be_refined(effect)) return 2;
   switch (effect) {
     case Effect::kSpindleCogging:
     case Effect::kToothPassingTorque:
