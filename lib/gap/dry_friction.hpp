@@ -39,8 +39,7 @@ FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
 /// step. Gives the state after all of it, and the slope of the last half; both slopes become 1 where the
 /// state drives through, because then friction only delays it.
 ///
-/// For the current, which crosses zero within one step. Speeds turn slowly, and where they do friction has no
-/// sharp side: it is presliding, which halves come closer to.
+/// For the current, which crosses zero within one step; an axis that turns is `MotionInParts`.
 template <class Real>
 FrictionStep<Real> around_a_turn(Real start, FrictionStep<Real>& first, Real free, FrictionStep<Real> last) {
   if (!(start * free < Real(0))) return last;

@@ -110,6 +110,8 @@ void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
   if (gap::bends(info.effect))
     print_line("bends", fmt::format("coefficients = [a, b] in a machine file: a becomes a + b e, e = {}",
                                     bend_of(info.effect)));
+  if (info.effect == gap::Effect::kFeedPresliding)
+    print_line("damped", "coefficients = [a, b] in a machine file: F = -a z - b dz/dt, b in N s");
   print_line("reference point", fmt::format("{} ({})", reference, arguments.machine));
   print_line("needs", info.excitation);
   print_line("looks like", aliases.empty() ? "no other" : aliases);

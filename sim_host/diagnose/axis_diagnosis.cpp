@@ -303,20 +303,6 @@ class DiagnosisSearch {
     return diagnosis_.needed(finding, enough);
   }
 
-  /// What was chosen later, beside `dropped`, and does its work alone now, has had the same rivals as that.
-  static void inherit_rivals(const Finding& dropped, Finding& left) {
-    const gap::Effect effect = left.effect.form.effect;
-    const Family family = family_of(effect);
-    if (family == Family::kNone || family != family_of(dropped.effect.form.effect)) return;
-    std::vector<Candidate> rivals = dropped.rivals;
-    std::sort(rivals.begin(), rivals.end(), by_evidence);
-    const auto own = std::find_if(rivals.begin(), rivals.end(),
-                                  [effect](const Candidate& c) { return c.form.effect == effect; });
-    if (own == rivals.end()) return;
-    std::rotate(rivals.begin(), own, own + 1);
-    left.rivals = std::move(rivals);
-  }
-
   /// Takes out what is not worth enough; was there any?
   bool prune() {
     bool has_changed = false;
@@ -356,6 +342,19 @@ class DiagnosisSearch {
 };
 
 }  // namespace
+
+void inherit_rivals(const Finding& dropped, Finding& left) {
+  const gap::Effect effect = left.effect.form.effect;
+  const Family family = family_of(effect);
+  if (family == Family::kNone || family != family_of(dropped.effect.form.effect)) return;
+  std::vector<Candidate> rivals = dropped.rivals;
+  std::sort(rivals.begin(), rivals.end(), by_evidence);
+  const auto own = std::find_if(rivals.begin(), rivals.end(),
+                                [effect](const Candidate& c) { return c.form.effect == effect; });
+  if (own == rivals.end()) return;
+  std::rotate(rivals.begin(), own, own + 1);
+  left.rivals = std::move(rivals);
+}
 
 double AxisDiagnosis::needed(const Finding& finding, double usual) const {
   for (const Plainer& pair : kPlainer) {

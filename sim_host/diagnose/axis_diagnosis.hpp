@@ -20,6 +20,10 @@ struct Finding {
   double kept = 1.0;              ///< share of the evidence that is left beside noise that may last
 };
 
+/// What was chosen later than `dropped`, beside it, and does its work alone now, has had its rivals: a bristle
+/// that was found beside Coulomb friction may be Coulomb friction. For relatives of one family only.
+void inherit_rivals(const Finding& dropped, Finding& left);
+
 /// What was found out about one axis.
 struct AxisDiagnosis {
   AxisFit fit;      ///< the model with the effects
