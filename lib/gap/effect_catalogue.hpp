@@ -87,7 +87,7 @@ inline constexpr std::array<EffectInfo, kEffectCount> kEffects{
                "cuts at more than one speed",
                "Cuts at two spindle speeds, sampled at four times the tooth frequency or more."},
     EffectInfo{Effect::kFeedSpring, "feed_spring", EffectGroup::kFeedForce, "N/m", SizeRange::kAnySign,
-               "F = -a (x - x0), x0 the first position", "long strokes",
+               "F = -a (x - x0), x0 where it rests: the first position, if unknown", "long strokes",
                "Strokes over the whole travel: a spring follows the place, friction the direction."},
     EffectInfo{Effect::kFeedContactDrift, "feed_contact_drift", EffectGroup::kFeedForce, "N",
                SizeRange::kAnySign, "F = -Fc a t_cut / 10 s, cutting time since it set in", "long cut",

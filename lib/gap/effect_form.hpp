@@ -74,9 +74,11 @@ constexpr bool bends(Effect effect) {
   }
 }
 
-/// May its form have a second part that refines it, whose size is not the effect's? A bend, or what damps a
-/// bristle.
-constexpr bool may_be_refined(Effect effect) { return bends(effect) || effect == Effect::kFeedPresliding; }
+/// May its form have a second part that refines it, whose size is not the effect's? A bend, what damps a
+/// bristle, or the force of a spring that rests elsewhere.
+constexpr bool may_be_refined(Effect effect) {
+  return bends(effect) || effect == Effect::kFeedPresliding || effect == Effect::kFeedSpring;
+}
 
 /// Is it friction that is gone beyond a range of speeds?
 constexpr bool is_stribeck(Effect effect) {

@@ -149,8 +149,8 @@ Real force(const EffectForm& form, int part, const EffectSignals<Real>& s, const
                                           : math::abs(v) / k.feed_speed_m_s - Real(1));
     case Effect::kFeedToothPassingForce:
       return -tooth_load(form, part, s, k);
-    case Effect::kFeedSpring:
-      return -s.feed_position_m;
+    case Effect::kFeedSpring:  // part 1: it rests elsewhere
+      return part == 0 ? -s.feed_position_m : Real(-1);
     case Effect::kFeedContactDrift:
       return -s.contact * s.cutting_time_s * Real(0.1);
     case Effect::kFeedForceSaturation:

@@ -82,8 +82,10 @@ inline double size_of(const AppliedEffect& one, const EffectScales<double>& scal
     return frequency_rad_s * frequency_rad_s * scales.inertia_kgm2 * ratio / ((1.0 + ratio) * (1.0 + ratio));
   }
   if (one.form.parts == 1 || may_be_refined(one.form.effect)) return one.coefficient[0];
-  // An encoder that is not round is no more eccentric for it.
-  const std::size_t counted = one.form.effect == Effect::kEncoderEccentricity ? 2 : one.form.parts;
+  // An encoder that is not round is no more eccentric for it, a screw's harmonics are none of its amplitude.
+  const bool is_once_per_turn =
+      one.form.effect == Effect::kEncoderEccentricity || one.form.effect == Effect::kFeedScrewPeriodic;
+  const std::size_t counted = is_once_per_turn ? 2 : one.form.parts;
   double power = 0.0;
   for (std::size_t i = 0; i < counted; ++i) power += one.coefficient[i] * one.coefficient[i];
   return math::sqrt(power);

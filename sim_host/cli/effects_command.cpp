@@ -112,6 +112,8 @@ void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
                                     bend_of(info.effect)));
   if (info.effect == gap::Effect::kFeedPresliding)
     print_line("damped", "coefficients = [a, b] in a machine file: F = -a z - b dz/dt, b in N s");
+  if (info.effect == gap::Effect::kFeedSpring)
+    print_line("rests", "coefficients = [a, b] in a machine file: F = -a (x - first position) - b, b in N");
   print_line("reference point", fmt::format("{} ({})", reference, arguments.machine));
   print_line("needs", info.excitation);
   print_line("looks like", aliases.empty() ? "no other" : aliases);

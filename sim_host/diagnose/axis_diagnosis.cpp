@@ -46,6 +46,7 @@ constexpr Plainer kPlainer[] = {
     {gap::Effect::kSpindleStribeckFriction, gap::Effect::kSpindleCoulombFriction, 0.9, false},
     {gap::Effect::kSpindleCogging, gap::Effect::kSpindleCoulombFriction, 0.7, false},
     {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, true},
+    {gap::Effect::kFeedSpring, gap::Effect::kFeedForceOffset, 0.7, false},
 };
 
 // Of other plain effects beside the finer one: by chance once in a thousand, and what its shape leaves.
@@ -73,6 +74,23 @@ void sharpen_range(AxisFit& winner) {
   const double price = std::log(static_cast<double>(plain.signals().rows) + 2.0);
   const double saved = plain.model().effects.back().form.parts == 1 ? price : 0.0;
   if (plain.unlikeliness() < winner.unlikeliness() + saved) winner = std::move(plain);
+}
+
+/// What seemed to set in late may have been there from the start, beside what was missing then.
+void begin_earlier(AxisFit& winner) {
+  for (std::size_t i = 0; i + 1 < winner.model().effects.size(); ++i) {
+    if (!(winner.model().effects[i].onset_s > 0.0)) continue;
+    AxisFit other = winner;
+    other.model().effects[i].onset_s = 0.0;
+    other.polish(winner.unlikeliness());
+    if (other.unlikeliness() < winner.unlikeliness()) winner = std::move(other);
+  }
+}
+
+/// A spring that rests elsewhere has a constant force of its own.
+bool has_force_offset(const gap::AppliedEffect& effect) {
+  return effect.form.effect == gap::Effect::kFeedForceOffset ||
+         (effect.form.effect == gap::Effect::kFeedSpring && effect.form.parts > 1);
 }
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
@@ -134,7 +152,9 @@ class DiagnosisSearch {
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
     if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect)) sharpen_range(winner);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
+    begin_earlier(winner);
     left_out_.push_back(ranked.front().form.effect);
+    if (has_force_offset(winner.model().effects.back())) left_out_.push_back(gap::Effect::kFeedForceOffset);
     fit_ = std::move(winner);
     diagnosis_.found.push_back({.effect = fit_.model().effects.back(),
                                 .evidence = ranked.front().evidence,

@@ -133,11 +133,13 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
   forms.add(Effect::kFeedStribeckFriction, {0.05, 0.15, 0.4});
   forms.add(Effect::kFeedAsymmetricFriction);
   forms.add(Effect::kFeedForceOffset);
-  if (model.machine.feed.screw_pitch_m > 0.0)
+  if (model.machine.feed.screw_pitch_m > 0.0) {
     forms.add(Effect::kFeedScrewPeriodic, 2);
-  else if (signals.has(Channel::kFeedSpeed))
+    forms.add(Effect::kFeedScrewPeriodic, 4);  // and twice per turn
+  } else if (signals.has(Channel::kFeedSpeed))
     forms.add(Effect::kFeedScrewPeriodic, kUsualPitchesM, 2);
   forms.add(Effect::kFeedSpring);
+  forms.add(Effect::kFeedSpring, 2);  // that rests elsewhere
   forms.add_bending(Effect::kFeedForceSaturation);
   // Shorter ones cannot be told from how a force's means lie, longer ones no axis could be controlled with.
   if (!signals.is_thinned)

@@ -39,7 +39,6 @@ namespace {
 
 using gap::Effect;
 
-constexpr double kUnseen = 60.0;   // structure that may hide in the noise
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
 constexpr std::size_t kFewestRows = 1000;
 

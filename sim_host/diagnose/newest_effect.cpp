@@ -97,7 +97,8 @@ void sharpen_newest(AxisFit& trial, float widest_share) {
 
 void weigh_bend(AxisFit& trial, std::size_t index) {
   const gap::Effect effect = trial.model().effects[index].form.effect;
-  if (!gap::bends(effect) && !(gap::may_be_refined(effect) && tells_damping(trial.signals()))) return;
+  if (!gap::may_be_refined(effect)) return;
+  if (effect == gap::Effect::kFeedPresliding && !tells_damping(trial.signals())) return;
   AxisFit other = trial;
   gap::EffectForm& form = other.model().effects[index].form;
   const double price = std::log(static_cast<double>(trial.signals().rows) + 2.0);

@@ -13,6 +13,9 @@ struct UnnamedPower {
   double unseen = 0.0;  ///< so much may be there without being found; 0 where the effects do not act
 };
 
+/// Structure that may hide in the noise, as a deviance.
+inline constexpr double kUnseen = 60.0;
+
 /// Share closed over all balances with its 90 % interval: pieces are drawn anew, and the noise floor is no
 /// better known than its rows and what cannot be seen in them allow. `unnamed[i]`: of balance i.
 void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
