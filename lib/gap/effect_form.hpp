@@ -75,15 +75,26 @@ constexpr bool bends(Effect effect) {
 }
 
 /// May its form have a second part that refines it, whose size is not the effect's? A bend, what damps a
-/// bristle, or the force of a spring that rests elsewhere.
+/// bristle, the force of a spring that rests elsewhere, a cut at the far end of the shaft.
 constexpr bool may_be_refined(Effect effect) {
-  return bends(effect) || effect == Effect::kFeedPresliding || effect == Effect::kFeedSpring;
+  switch (effect) {
+    case Effect::kFeedPresliding:
+    case Effect::kFeedSpring:
+    case Effect::kShaftCompliance:
+      return true;
+    default:
+      return bends(effect);
+  }
 }
 
 /// Is it friction that is gone beyond a range of speeds?
 constexpr bool is_stribeck(Effect effect) {
   return effect == Effect::kSpindleStribeckFriction || effect == Effect::kFeedStribeckFriction;
 }
+
+/// Damping ratios of a compliant shaft's swinging, by the form's kind.
+inline constexpr double kShaftDamping[] = {0.05, 0.025, 0.0125, 0.1, 0.2};
+inline constexpr int kShaftDampings = static_cast<int>(sizeof(kShaftDamping) / sizeof(double));
 
 /// Can the effect act in one direction only? Friction brakes, a lag lags, a play is not negative.
 constexpr bool acts_one_way(Effect effect) {

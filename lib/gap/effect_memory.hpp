@@ -55,10 +55,9 @@ template <class Real>
 class Resonance {
  public:
   Resonance() = default;
-  Resonance(double frequency_rad_s, double step_s) {
-    constexpr double kDamping = 0.05;
+  Resonance(double frequency_rad_s, double damping_ratio, double step_s) {
     const double stiffness = frequency_rad_s * frequency_rad_s;
-    const double damping = 2.0 * kDamping * frequency_rad_s;
+    const double damping = 2.0 * damping_ratio * frequency_rad_s;
     const auto step = math::exponential_step(math::Matrix2{0.0, 1.0, -stiffness, -damping}, step_s);
     const auto cast = [](double v) { return static_cast<Real>(v); };
     exp_ = {cast(step.exp.a00), cast(step.exp.a01), cast(step.exp.a10), cast(step.exp.a11)};

@@ -30,7 +30,7 @@ class EffectTerm {
   Contribution<Real> step(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
     switch (form_.effect) {
       case Effect::kShaftCompliance:
-        return {.torque_nm = k.inertia_kgm2 * resonance_(s.acceleration_rad_s2)};
+        return {.torque_nm = k.inertia_kgm2 * resonance_(part_ == 0 ? s.acceleration_rad_s2 : cut_rad_s2(s, k))};
       case Effect::kDriveLag:
       case Effect::kFeedDriveLag:
         return lagging(s, k);
@@ -60,9 +60,16 @@ class EffectTerm {
   }
 
  private:
+  /// Acceleration that the cut takes from the nominal model.
+  static Real cut_rad_s2(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+    const Real left_nm = k.torque_constant_nm_a * s.current_a - k.viscous_friction_nms_rad * s.speed_rad_s;
+    return left_nm / k.inertia_kgm2 - s.acceleration_rad_s2;
+  }
+
   void start(double shape, double step_s) {
     constexpr double kTurn = 6.283185307179586;
-    if (form_.effect == Effect::kShaftCompliance) resonance_ = Resonance<Real>(kTurn * shape, step_s);
+    if (form_.effect == Effect::kShaftCompliance)
+      resonance_ = Resonance<Real>(kTurn * shape, kShaftDamping[form_.kind % kShaftDampings], step_s);
     if (is_lag()) lag_ = Lag<Real>(shape, step_s);
     delay_steps_ = static_cast<Real>(shape / step_s);
   }

@@ -100,6 +100,20 @@ std::string_view bend_of(gap::Effect effect) {
   }
 }
 
+/// What a second coefficient is; empty where there is none, or where it is the phase.
+std::string second_part_of(gap::Effect effect) {
+  switch (effect) {
+    case gap::Effect::kFeedPresliding:
+      return "F = -a z - b dz/dt, b in N s, damps the bristle";
+    case gap::Effect::kFeedSpring:
+      return "F = -a (x - first position) - b, b in N, for another place to rest";
+    case gap::Effect::kShaftCompliance:
+      return "a = J2/J1, b = 1 + a where the cut loads J2, not J1";
+    default:
+      return gap::bends(effect) ? fmt::format("a becomes a + b e, e = {}", bend_of(effect)) : std::string();
+  }
+}
+
 void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
   const std::string aliases = aliases_of(info, ", ");
   const std::string reference = reference_text(reference_of(arguments));
@@ -107,13 +121,8 @@ void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
   print_line("acts on", name_of(info.group));
   print_line("size a in", info.unit);
   print_line("equation", info.equation);
-  if (gap::bends(info.effect))
-    print_line("bends", fmt::format("coefficients = [a, b] in a machine file: a becomes a + b e, e = {}",
-                                    bend_of(info.effect)));
-  if (info.effect == gap::Effect::kFeedPresliding)
-    print_line("damped", "coefficients = [a, b] in a machine file: F = -a z - b dz/dt, b in N s");
-  if (info.effect == gap::Effect::kFeedSpring)
-    print_line("rests", "coefficients = [a, b] in a machine file: F = -a (x - first position) - b, b in N");
+  if (const std::string second = second_part_of(info.effect); !second.empty())
+    print_line("finer", "coefficients = [a, b] in a machine file: " + second);
   print_line("reference point", fmt::format("{} ({})", reference, arguments.machine));
   print_line("needs", info.excitation);
   print_line("looks like", aliases.empty() ? "no other" : aliases);

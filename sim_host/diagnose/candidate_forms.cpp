@@ -147,7 +147,7 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
   forms.add(Effect::kFeedBacklash, {1.0e-6, 3.0e-6, 1.0e-5, 3.0e-5, 1.0e-4, 3.0e-4}, 2);
   const std::initializer_list<double> yields_m{2.0e-6, 1.0e-5, 5.0e-5, 2.0e-4, 1.0e-3};
   forms.add(Effect::kFeedPresliding, yields_m);
-  if (tells_damping(signals)) forms.add(Effect::kFeedPresliding, yields_m, 2);
+  if (tells_second_part(Effect::kFeedPresliding, signals)) forms.add(Effect::kFeedPresliding, yields_m, 2);
   if (signals.has(Channel::kFeedSpeed))
     forms.add(Effect::kFeedSpeedDelay, {0.5 * step_s, step_s, 2.0 * step_s, 4.0 * step_s, 8.0 * step_s,
                                         16.0 * step_s, 32.0 * step_s, 64.0 * step_s});
@@ -161,7 +161,11 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
 
 }  // namespace
 
-bool tells_damping(const RecordingSignals& signals) { return !signals.is_thinned; }
+bool tells_second_part(Effect effect, const RecordingSignals& signals) {
+  if (effect == Effect::kFeedPresliding) return !signals.is_thinned;
+  if (effect == Effect::kShaftCompliance) return signals.has_been_in_contact();
+  return gap::may_be_refined(effect);
+}
 
 std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals,
                                              const GapModel& model, std::span<const gap::Effect> excluded) {

@@ -13,8 +13,9 @@ namespace morepro::host {
 std::vector<gap::EffectForm> candidate_forms(Axis axis, const RecordingSignals& signals,
                                              const GapModel& model, std::span<const gap::Effect> excluded);
 
-/// Does it tell what damps a bristle? Not as means over several milliseconds.
-bool tells_damping(const RecordingSignals& signals);
+/// Does the recording tell the second part of an effect's form, if it has one? What damps a bristle not as
+/// means over several milliseconds, where a shaft is loaded not without a cut.
+bool tells_second_part(gap::Effect effect, const RecordingSignals& signals);
 
 /// Structure without a name, for what the catalogue does not explain.
 std::vector<gap::EffectForm> unnamed_forms(Axis axis, const RecordingSignals& signals);

@@ -47,7 +47,7 @@ struct SpindleMotion {
 /// Does something turn within an interval that no closed form knows? What the tool meets turns with the
 /// spindle, a bristle with the axis.
 bool turns_within(Axis axis, const RecordingSignals& signals, const GapModel& model) {
-  if (axis == Axis::kSpindle) return !signals.cutting_time_s.empty() && signals.cutting_time_s.back() > 0.0;
+  if (axis == Axis::kSpindle) return signals.has_been_in_contact();
   const auto has_bristle = [](const gap::AppliedEffect& one) {
     return one.form.effect == gap::Effect::kFeedPresliding;
   };

@@ -97,8 +97,7 @@ void sharpen_newest(AxisFit& trial, float widest_share) {
 
 void weigh_bend(AxisFit& trial, std::size_t index) {
   const gap::Effect effect = trial.model().effects[index].form.effect;
-  if (!gap::may_be_refined(effect)) return;
-  if (effect == gap::Effect::kFeedPresliding && !tells_damping(trial.signals())) return;
+  if (!tells_second_part(effect, trial.signals())) return;
   AxisFit other = trial;
   gap::EffectForm& form = other.model().effects[index].form;
   const double price = std::log(static_cast<double>(trial.signals().rows) + 2.0);
@@ -111,6 +110,28 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
   if (!is_bent && gain() < 0.5 * price) return;
   other.polish();
   if (gain() > (is_bent ? -price : price)) trial = std::move(other);
+}
+
+void tune_newest(AxisFit& trial) {
+  AxisFit tuned = trial;
+  tuned.narrow_down();
+  tuned.refit();
+  const auto detune = [](gap::AppliedEffect& shaft, float factor) {
+    shaft.form.shape *= factor;
+    return true;
+  };
+  const auto damp = [](gap::AppliedEffect& shaft, float kind) {
+    const bool is_same = shaft.form.kind == static_cast<std::uint8_t>(kind);
+    shaft.form.kind = static_cast<std::uint8_t>(kind);
+    return !is_same;
+  };
+  static_assert(gap::kShaftDampings == 5);
+  bool has_changed = take_likelier(tuned, {0.0F, 1.0F, 2.0F, 3.0F, 4.0F}, damp);
+  has_changed |= take_likelier(tuned, {0.9F, 1.1F, 0.97F, 1.03F, 0.99F, 1.01F}, detune);
+  if (!has_changed) return;
+  tuned.widen();
+  tuned.polish();
+  if (tuned.unlikeliness() < trial.unlikeliness()) trial = std::move(tuned);
 }
 
 void weigh_order_of_lags(AxisFit& trial) {

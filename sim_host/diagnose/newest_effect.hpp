@@ -7,6 +7,10 @@ namespace morepro::host {
 /// before, the sensors' noise blurs it. `widest_share` of the shape that it has is the most that it can be.
 void sharpen_newest(AxisFit& trial, float widest_share);
 
+/// Searches for resonance and damping of the model's newest effect, a compliant shaft, now that it swings in
+/// the model.
+void tune_newest(AxisFit& trial);
+
 /// Gives the law of one of the model's effects a bend, or takes it away, where that is more likely, as far as
 /// the law bends at all: a linearisation beside parameters that had to bend to what was missing does not
 /// tell.

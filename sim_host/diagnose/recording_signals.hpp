@@ -47,6 +47,9 @@ struct RecordingSignals {
   [[nodiscard]] double duration_s() const { return static_cast<double>(rows) / rate_hz; }
   [[nodiscard]] double time_s(std::size_t row) const { return static_cast<double>(row) / rate_hz; }
   [[nodiscard]] double cutting_time_at(double time_s) const;
+  [[nodiscard]] bool has_been_in_contact() const {
+    return !cutting_time_s.empty() && cutting_time_s.back() > 0.0;
+  }
   /// The first position that was recorded; 0 without any.
   [[nodiscard]] double first_position_m() const;
 };

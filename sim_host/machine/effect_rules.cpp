@@ -25,6 +25,8 @@ int highest_kind(Effect effect) {
     case Effect::kMagnetTemperatureDrift:
     case Effect::kCurrentNonlinearity:
       return 1;
+    case Effect::kShaftCompliance:
+      return gap::kShaftDampings - 1;
     default:
       return 0;
   }
