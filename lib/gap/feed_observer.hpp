@@ -69,6 +69,11 @@ class FeedObserver {
     see(frame, spindle_speed_rad_s, angle_rad, rows);
     move_on(frame);
   }
+  /// The force of the last interval was not known but to this variance, in N2.
+  void blur_input(Real variance) {
+    const Real per_mass = Real(1) / terms_.scales().mass_kg;
+    observer_.blur(integral_.a01 * per_mass, integral_.a11 * per_mass, variance);
+  }
   /// The first half of it: the rows of the frame's measurements.
   void see(const GapFrame<Real>& frame, Real spindle_speed_rad_s, Real angle_rad, Rows& rows) {
     rows.speed.is_measured = rows.position.is_measured = false;

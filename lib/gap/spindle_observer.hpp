@@ -71,6 +71,12 @@ class SpindleObserver {
     if (frame.has_angle) angle_rad_ = frame.angle_rad;
     update(frame, rows);
   }
+  /// The voltage of the last interval was not known but to this variance, in V2.
+  void blur_input(Real variance) {
+    const auto& psi = exponential_.integral;
+    const Real per_inductance = Real(1) / terms_.scales().inductance_h;
+    observer_.blur(psi.a01 * per_inductance, psi.a11 * per_inductance, variance);
+  }
   /// The second half: on to the next frame.
   void move_on(const GapFrame<Real>& frame) {
     if (is_started_) predict(frame);

@@ -89,6 +89,13 @@ class TwoStateObserver {
     p11_ = c * phi.a10 + d * phi.a11 + noise.a11;
   }
 
+  /// Adds the covariance of an input of variance `variance` that moves the states by `gain0` and `gain1`.
+  void blur(Real gain0, Real gain1, Real variance) {
+    p00_ += gain0 * gain0 * variance;
+    p01_ += gain0 * gain1 * variance;
+    p11_ += gain1 * gain1 * variance;
+  }
+
  private:
   explicit TwoStateObserver(std::size_t columns) : columns_(columns) {}
 

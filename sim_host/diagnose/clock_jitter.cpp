@@ -21,7 +21,7 @@ constexpr double kBinsPerDecade = 20.0;
 // By neighbours. The observer takes part of a jitter for a change of the state, which comes back with the
 // other sign: up to half of it, or more where process noise was fitted to a large jitter. Where a law is
 // wrong it is nearly all, of either sign.
-constexpr double kMostShared = 0.3;
+constexpr double kMostShared = 0.45;
 constexpr double kLeastShared = -0.6;
 constexpr double kLeastSharedAtFirst = -1.0;  // where process noise was fitted to a large jitter
 constexpr double kSizeError = 0.05;  // relative: between which two rates an instant lies is not recorded

@@ -64,6 +64,7 @@ class Diagnosis {
       result_.notices.push_back(std::move(lack));
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
+    if (signals_.missing_rows > 0) doubt_lost_inputs(signals_);
     for (const LoneSamples& lone : leave_out_lone_samples(signals_, sensors))
       result_.notices.push_back(sentence_of(lone, signals_));
     calm_temperatures(signals_);
@@ -302,8 +303,11 @@ class Diagnosis {
 
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
     if (!balance.is_evaluated) return;
-    for (const SamplingFault& fault : faults_)
-      balance.is_significant |= balance.balance == balance_shown_by(fault.channel);
+    for (const SamplingFault& fault : faults_) {
+      if (balance.balance != balance_shown_by(fault.channel)) continue;
+      balance.is_significant = true;
+      if (fault.onset_s > 0.0) balance.onset_s = fault.onset_s;
+    }
     bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
       const auto group = gap::info_of(finding.effect.form.effect).group;

@@ -122,9 +122,14 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
     report(rows->speed, columns, innovation, on_innovation);
     innovation.sensor = 1;
     if (!signals.is_current_driven) report(rows->current, columns, innovation, on_innovation);
+    // All parts of an interval share one input: what is not known of it adds up.
+    const double lost = frames.has_lost_inputs() ? static_cast<double>(parts) * signals.lost_voltage_v2 : 0.0;
     observer->move_on(frame);
-    for (std::size_t i = 1; i < parts; ++i)
+    if (lost > 0.0) observer->blur_input(lost);
+    for (std::size_t i = 1; i < parts; ++i) {
       observer->step(unseen(frame, static_cast<double>(i) * part_s), *rows);
+      if (lost > 0.0) observer->blur_input(lost);
+    }
   }
 }
 
@@ -150,9 +155,13 @@ void run_feed(const RecordingSignals& signals, const GapModel& model, const Dist
     report(rows->position, columns, innovation, on_innovation);
     innovation.sensor = 1;
     report(rows->speed, columns, innovation, on_innovation);
-    for (std::size_t i = 1; i < parts; ++i)
+    const double lost = frames.has_lost_inputs() ? static_cast<double>(parts) * signals.lost_force_n2 : 0.0;
+    if (lost > 0.0) observer->blur_input(lost);
+    for (std::size_t i = 1; i < parts; ++i) {
       observer->step(unseen(frame, static_cast<double>(i) * part_s), spindle.speed_rad_s, spindle.angle_rad,
                      *rows);
+      if (lost > 0.0) observer->blur_input(lost);
+    }
   }
 }
 

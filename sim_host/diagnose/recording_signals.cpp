@@ -138,6 +138,23 @@ void calm_temperatures(RecordingSignals& signals) {
   signals.calm_winding_degc = calm(signals.value[index_of(Channel::kWindingTemperature)], signals.rate_hz);
 }
 
+void doubt_lost_inputs(RecordingSignals& signals) {
+  const auto change = [&signals](Channel channel) {
+    const auto& column = signals.value[index_of(channel)];
+    double squares = 0.0;
+    double count = 0.0;
+    for (std::size_t row = 1; row < column.size(); ++row) {
+      const double here = static_cast<double>(column[row] - column[row - 1]);
+      if (!(here == here)) continue;
+      squares += here * here;
+      count += 1.0;
+    }
+    return squares / std::max(count, 1.0);
+  };
+  signals.lost_voltage_v2 = change(Channel::kArmatureVoltage);
+  signals.lost_force_n2 = change(Channel::kFeedForce);
+}
+
 void count_cutting_time(RecordingSignals& signals) {
   signals.cutting_time_s = held_integral(signals.value[index_of(Channel::kContact)], signals.rate_hz);
 }

@@ -30,6 +30,10 @@ struct RecordingSignals {
   std::vector<float> calm_tool_degc;
   std::vector<float> calm_winding_degc;
 
+  /// Mean square of what an input changes by from row to row: what is not known of one that was lost.
+  double lost_voltage_v2 = 0.0;
+  double lost_force_n2 = 0.0;
+
   std::vector<double> cutting_time_s;  ///< before each row; empty without contact
   /// Way and angle before each row, by the speeds; empty where a sensor shows them, or not followed.
   std::vector<double> travelled_m;
@@ -79,6 +83,9 @@ Stretch after(const RecordingSignals& signals, double from_s);
 /// The first rows of a recording, by themselves.
 RecordingSignals beginning_of(const RecordingSignals& signals, std::size_t rows);
 
+/// Fills in what lost inputs may have been.
+void doubt_lost_inputs(RecordingSignals& signals);
+
 /// Fills in the cutting time.
 void count_cutting_time(RecordingSignals& signals);
 
@@ -106,6 +113,8 @@ class FrameSource {
   /// Row by row.
   gap::GapFrame<double> next();
   [[nodiscard]] std::size_t row() const { return row_; }
+  /// Are the inputs of the last frame those of a row before, because its own was lost?
+  [[nodiscard]] bool has_lost_inputs() const { return missing_ > 0; }
   /// Have more rows been missing, up to the last frame, than inputs are held over?
   [[nodiscard]] bool has_lost_track() const { return missing_ > kLongestBridge; }
 

@@ -10,21 +10,32 @@ namespace {
 
 constexpr std::array kNoisyChannels{Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed,
                                     Channel::kFeedPosition};
+constexpr std::size_t kFewestStepValues = 500;
 constexpr std::size_t kMostStepValues = 20000;
 constexpr double kStepError = 1.0e-3;  // relative: samples are recorded with seven digits
 constexpr double kCertain = 1.0e4;     // deviance: what stands in the samples is not a matter of chance
 
+struct LostRows {
+  double count = 0.0;
+  std::size_t first = std::numeric_limits<std::size_t>::max();
+};
+
 /// Samples that are missing now and then. A sensor or a link that is away for a while drops none.
-std::size_t dropped(const std::vector<float>& column) {
-  std::size_t count = 0;
+LostRows dropped(const std::vector<float>& column) {
+  LostRows lost;
   std::size_t missing = 0;
-  for (const float value : column) {
-    const bool is_here = value == value;
-    if (is_here && missing <= kLongestBridge) count += missing;
-    missing = is_here ? 0 : missing + 1;
+  for (std::size_t row = 0; row <= column.size(); ++row) {
+    if (row < column.size() && !(column[row] == column[row])) {
+      ++missing;
+      continue;
+    }
+    if (missing > 0 && missing <= kLongestBridge) {
+      lost.count += static_cast<double>(missing);
+      lost.first = std::min(lost.first, row - missing);
+    }
+    missing = 0;
   }
-  if (missing <= kLongestBridge) count += missing;
-  return count;
+  return lost;
 }
 
 /// Do two rows show the same on every sensor, on two of them at least that are finer than their noise? One
@@ -42,9 +53,25 @@ bool show_the_same(const RecordingSignals& signals, const Sensors& sensors, std:
   return same >= 2;
 }
 
+/// The samples of a row that repeats the one before. Where its inputs do so, too, the whole row does.
+void leave_out(RecordingSignals& signals, std::size_t row) {
+  const auto repeats = [&signals, row](Channel channel) {
+    const auto& column = signals.value[index_of(channel)];
+    return column.empty() || column[row] == column[row - 1];
+  };
+  const bool is_all = repeats(Channel::kArmatureVoltage) && repeats(Channel::kFeedForce);
+  for (const Channel channel : kNoisyChannels)
+    if (signals.has(channel))
+      signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
+  if (!is_all) return;
+  for (auto& column : signals.value)
+    if (!column.empty()) column[row] = std::numeric_limits<float>::quiet_NaN();
+  ++signals.missing_rows;
+}
+
 /// Takes rows out that repeat the one before, and returns how many more there are than chance makes: samples
 /// in steps are equal now and then, and then they are to those before the last one just as often.
-double leave_out_repeated_rows(RecordingSignals& signals, const Sensors& sensors) {
+LostRows leave_out_repeated_rows(RecordingSignals& signals, const Sensors& sensors) {
   constexpr double kBeyondChance = 5.0;  // standard deviations, beyond twice what chance makes
   std::vector<std::size_t> repeated;
   std::size_t by_chance = 0;
@@ -56,12 +83,17 @@ double leave_out_repeated_rows(RecordingSignals& signals, const Sensors& sensors
   }
   const auto chance = static_cast<double>(by_chance);
   const auto count = static_cast<double>(repeated.size());
-  if (!(count > 2.0 * chance + kBeyondChance * std::sqrt(chance))) return 0.0;
-  for (const std::size_t row : repeated)
-    for (const Channel channel : kNoisyChannels)
-      if (signals.has(channel))
-        signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
-  return count - chance;
+  if (!(count > 2.0 * chance + kBeyondChance * std::sqrt(chance))) return {};
+  // The last one first: each is compared with the row before.
+  for (auto row = repeated.rbegin(); row != repeated.rend(); ++row) leave_out(signals, *row);
+  return {count - chance, repeated.front()};
+}
+
+/// Were as many lost from the start, hardly ever would so many have come before the first one.
+bool is_late(const LostRows& lost, double rows) {
+  constexpr double kHardlyEver = 14.0;  // once in a million
+  const auto before = static_cast<double>(lost.first);
+  return lost.count * before > kHardlyEver * (rows - before);
 }
 
 }  // namespace
@@ -92,18 +124,50 @@ double step_of(const std::vector<float>& column) {
   return 20 * fitting >= 19 * (values.size() - 1) ? step : 0.0;
 }
 
+namespace {
+
+struct Steps {
+  double size = 0.0;
+  std::size_t first_row = 0;
+};
+
+/// Steps that the samples at the end have, and the row after the last one that does not fit them.
+Steps late_steps_of(const std::vector<float>& column) {
+  const std::size_t count = std::min({column.size() / 2, std::max(column.size() / 8, kFewestStepValues), kMostStepValues});
+  const std::vector<float> end(column.end() - static_cast<std::ptrdiff_t>(count), column.end());
+  Steps late{.size = step_of(end), .first_row = column.size()};
+  if (!(late.size > 0.0)) return {};
+  const auto fits = [&late](float value) {
+    const double steps = static_cast<double>(value) / late.size;
+    return !(value == value) || std::fabs(steps - std::round(steps)) < 0.05 + 4.0e-7 * std::fabs(steps);
+  };
+  while (late.first_row > 0 && fits(column[late.first_row - 1])) --late.first_row;
+  return late;
+}
+
+}  // namespace
+
 std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors) {
   std::vector<SamplingFault> faults;
   for (const Channel channel : kNoisyChannels) {
     if (!signals.has(channel)) continue;
     SensorNoise& sensor = sensors[channel];
-    const double step = step_of(signals.value[index_of(channel)]);
     // A step that adds less than a tenth to the noise that is known changes nothing.
-    if (!(step * step / 12.0 > sensor.lsb * sensor.lsb / 12.0 * 1.2 + 0.1 * sensor.variance())) continue;
-    const double unit = sensor.lsb > 0.0 ? sensor.lsb : sensor.noise;
-    faults.push_back(
-        {gap::Effect::kSensorQuantization, channel, step / unit, kStepError * step / unit, kCertain});
-    sensor.lsb = step;
+    const auto is_coarse = [&sensor](double step) {
+      return step * step / 12.0 > sensor.lsb * sensor.lsb / 12.0 * 1.2 + 0.1 * sensor.variance();
+    };
+    const auto& column = signals.value[index_of(channel)];
+    Steps steps{.size = step_of(column)};
+    if (!is_coarse(steps.size)) steps = late_steps_of(column);
+    if (!is_coarse(steps.size)) continue;
+    const double ratio = steps.size / (sensor.lsb > 0.0 ? sensor.lsb : sensor.noise);
+    faults.push_back({.effect = gap::Effect::kSensorQuantization,
+                      .channel = channel,
+                      .size = ratio,
+                      .standard_error = kStepError * ratio,
+                      .evidence = kCertain,
+                      .onset_s = static_cast<double>(steps.first_row) / signals.rate_hz});
+    sensor.lsb = steps.size;
   }
   return faults;
 }
@@ -129,14 +193,24 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
 
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors) {
   constexpr double kLeastFraction = 5.0e-4;
-  std::size_t holes = 0;  // before rows that repeat others become holes, too
-  for (const Channel channel : kNoisyChannels)
-    if (signals.has(channel)) holes = std::max(holes, dropped(signals.value[index_of(channel)]));
-  const double lost = static_cast<double>(holes) + leave_out_repeated_rows(signals, sensors);
-  const double fraction = lost / static_cast<double>(std::max<std::size_t>(signals.rows, 1));
-  if (fraction < kLeastFraction || fraction > 0.9) return std::nullopt;
-  const double error = std::sqrt(fraction * (1.0 - fraction) / static_cast<double>(signals.rows));
-  return SamplingFault{gap::Effect::kSampleDropout, Channel::kSpindleSpeed, fraction, error, kCertain};
+  LostRows lost;  // before rows that repeat others become holes, too
+  for (const Channel channel : kNoisyChannels) {
+    if (!signals.has(channel)) continue;
+    if (const LostRows here = dropped(signals.value[index_of(channel)]); here.count > lost.count) lost = here;
+  }
+  const LostRows repeated = leave_out_repeated_rows(signals, sensors);
+  lost = {lost.count + repeated.count, std::min(lost.first, repeated.first)};
+  const auto rows = static_cast<double>(std::max<std::size_t>(signals.rows, 1));
+  if (lost.count < kLeastFraction * rows || lost.count > 0.9 * rows) return std::nullopt;
+  const std::size_t onset = is_late(lost, rows) ? lost.first : 0;
+  const double since = rows - static_cast<double>(onset);
+  const double fraction = std::min(lost.count / since, 1.0);
+  return SamplingFault{.effect = gap::Effect::kSampleDropout,
+                       .channel = Channel::kSpindleSpeed,
+                       .size = fraction,
+                       .standard_error = std::sqrt(fraction * (1.0 - fraction) / since),
+                       .evidence = kCertain,
+                       .onset_s = static_cast<double>(onset) / signals.rate_hz};
 }
 
 double structure_left_by(const std::vector<SamplingFault>& faults) {

@@ -16,6 +16,7 @@ struct SamplingFault {
   double size = 0.0;
   double standard_error = 0.0;
   double evidence = 0.0;
+  double onset_s = 0.0;  ///< 0: there from the start
 };
 
 /// The step that all values of a column are multiples of; 0 where there is none.
