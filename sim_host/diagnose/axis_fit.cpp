@@ -344,11 +344,17 @@ AxisFit::Rival AxisFit::as_rival() const {
   return {.everywhere = unlikeliness_, .in_part = narrow.unlikeliness_as_it_is()};
 }
 
+// What the part was fitted with may be no model of the rest: a load that grows with the speed so steeply that
+// its steps run away.
 void AxisFit::settle(int most_rounds) {
-  const bool sees_all = !is_narrow();
+  const AxisFit before = *this;
   narrow_down();
   take_turns(most_rounds, kNone);
-  if (sees_all) finish({});
+  if (before.is_narrow()) return;
+  finish({});
+  if (std::isfinite(unlikeliness_)) return;
+  *this = before;
+  polish();
 }
 
 // With the noise that there is first: what the model had is not lost where a round makes it worse.
