@@ -173,10 +173,12 @@ class DiagnosisSearch {
     const std::size_t sure = trials.size();
     double best = 0.0;
     double kept = 1.0;  // of what the linearisation promised to the best
+    Family family = Family::kNone;
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       Candidate& rival = ranked[i];
       if (i >= sure) {
-        if (!is_worth_a_trial(rival, trials.size(), std::min(best, promised_most))) {
+        if (!is_worth_a_trial(rival, trials.size(), std::min(best, promised_most)) &&
+            !is_other_lag(rival, trials.size(), best, family)) {
           rival.evidence *= kept;
           continue;
         }
@@ -187,8 +189,10 @@ class DiagnosisSearch {
       rival.evidence = without.everywhere - trial.fit.unlikeliness() -
                        freedom_cost(trial.fit, trial.fit.model().effects.back());
       if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
-      if (rival.evidence > best) kept = rival.evidence / rival.promised;
-      best = std::max(best, rival.evidence);
+      if (!(rival.evidence > best)) continue;
+      best = rival.evidence;
+      kept = best / rival.promised;
+      family = family_of(rival.form.effect);
     }
     std::sort(ranked.begin(), ranked.end(), by_evidence);
     put_plain_first(ranked, trials);
@@ -215,6 +219,14 @@ class DiagnosisSearch {
     if (tried >= kMostTrials || rival.evidence < diagnosis_.least_evidence) return false;
     return best < diagnosis_.least_evidence ||
            (tried < kMostRivals && rival.evidence >= kNearlyAsGood * best);
+  }
+
+  /// A lag, a delay and a bandwidth do nearly the same of one size, and bent parameters hide which: where one
+  /// is the best, the others get their turn, too.
+  static bool is_other_lag(const Candidate& rival, std::size_t tried, double best, Family family) {
+    constexpr double kNoticeably = 0.1;
+    return tried < kMostTrials && is_lag(family) && family_of(rival.form.effect) == family &&
+           rival.evidence > kNoticeably * best;
   }
 
   /// What explains most beside the datasheet's parameters comes first; bent ones hide it.
