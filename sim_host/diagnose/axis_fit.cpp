@@ -233,6 +233,7 @@ bool AxisFit::improve(Trial& best) {
     model_ = start;
     take(step_of(best.moments, active, kDampings[best.damping]));
     Trial trial = tried();
+    if (!(trial.cost < best.cost) && best.damping == 0) follow_bend(best, trial);
     const double gained = best.cost - trial.cost;
     if (!(gained > 0.0)) continue;
     // Where the linearisation held, the next step may be bolder.
@@ -243,6 +244,19 @@ bool AxisFit::improve(Trial& best) {
   }
   model_ = start;
   return false;
+}
+
+// Along a valley that bends a whole step ends on its slope, from where the next one leads back to its floor;
+// damped ones would crawl.
+void AxisFit::follow_bend(const Trial& best, Trial& trial) {
+  const Eigen::Index width = trial.moments.cols();
+  const std::vector<Eigen::Index> active = all_columns(width - 1);
+  const bool may_be_better =
+      std::isfinite(trial.cost) &&
+      fit(trial.moments, active, precision(width), target(width)).rss + trial.cost - trial.squares < best.cost;
+  if (!may_be_better) return;
+  take(step_of(trial.moments, active, 0.0));
+  trial = tried();
 }
 
 /// Damped after Levenberg and Marquardt, and not longer than the linearisation is worth.

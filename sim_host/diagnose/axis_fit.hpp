@@ -144,6 +144,7 @@ class AxisFit {
   void take_turns(int most_rounds, double rival);
   [[nodiscard]] bool is_hopeless_beside(double rival) const;
   bool improve(Trial& best);
+  void follow_bend(const Trial& best, Trial& trial);
   [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments,
                                         const std::vector<Eigen::Index>& active, double damping) const;
   void take(const Eigen::VectorXd& step);
