@@ -93,6 +93,15 @@ bool has_force_offset(const gap::AppliedEffect& effect) {
          (effect.form.effect == gap::Effect::kFeedSpring && effect.form.parts > 1);
 }
 
+/// A spring that rests elsewhere contains the force that was chosen instead, and does as well: that makes it no
+/// rival.
+void leave_out_what_contains_it(std::vector<Candidate>& ranked) {
+  if (ranked.front().form.effect != gap::Effect::kFeedForceOffset) return;
+  std::erase_if(ranked, [](const Candidate& c) {
+    return c.form.effect == gap::Effect::kFeedSpring && c.form.parts > 1;
+  });
+}
+
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
 class DiagnosisSearch {
@@ -153,6 +162,7 @@ class DiagnosisSearch {
     if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect)) sharpen_range(winner);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     begin_earlier(winner);
+    leave_out_what_contains_it(ranked);
     left_out_.push_back(ranked.front().form.effect);
     if (has_force_offset(winner.model().effects.back())) left_out_.push_back(gap::Effect::kFeedForceOffset);
     fit_ = std::move(winner);

@@ -58,6 +58,47 @@ TEST(SamplingChecks, CountTheRowsThatAreMissing) {
               1.0e-9);
 }
 
+TEST(SamplingChecks, SeeWhenStepsSetIn) {
+  constexpr double kOnsetS = 0.6;
+  const RecordingSignals signals = record(short_run({effect(Effect::kSensorQuantization, 40.0, kOnsetS)}));
+  Sensors sensors = reference_sensors();
+  const auto faults = find_quantization(signals, sensors);
+  ASSERT_EQ(faults.size(), 3U);
+  for (const SamplingFault& fault : faults) {
+    EXPECT_NEAR(fault.size, 40.0, 0.1);
+    // A sample or two before may lie on a step by chance.
+    EXPECT_NEAR(fault.onset_s, kOnsetS, 5.0e-4);
+  }
+}
+
+TEST(SamplingChecks, SeeWhenRowsBeginToBeLost) {
+  constexpr double kOnsetS = 0.5;
+  RecordingSignals signals = record(short_run({effect(Effect::kSampleDropout, 0.1, kOnsetS)}));
+  const auto fault = find_dropout(signals, reference_sensors());
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_NEAR(fault->size, 0.1, 3.0 * fault->standard_error);
+  // One of ten rows is lost.
+  EXPECT_NEAR(fault->onset_s, kOnsetS, 0.005);
+  RecordingSignals all_along = record(short_run({effect(Effect::kSampleDropout, 0.1)}));
+  EXPECT_EQ(find_dropout(all_along, reference_sensors())->onset_s, 0.0);
+}
+
+// A frame that is sent again says nothing of its own row, not even what drove the machine.
+TEST(SamplingChecks, TakeARepeatedFrameForAMissingOne) {
+  RecordingSignals signals = record(short_run({}));
+  for (std::size_t row = 50; row < signals.rows; row += 50)
+    for (auto& column : signals.value)
+      if (!column.empty()) column[row] = column[row - 1];
+  for (const Channel channel :
+       {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition})
+    signals.value[index_of(channel)][25] = signals.value[index_of(channel)][24];
+  signals.value[index_of(Channel::kArmatureVoltage)][25] += 1.0F;
+  ASSERT_TRUE(find_dropout(signals, reference_sensors()).has_value());
+  EXPECT_TRUE(is_missing(signals, 50));
+  EXPECT_FALSE(is_missing(signals, 25)) << "its input is known";
+  EXPECT_EQ(signals.missing_rows, (signals.rows - 1) / 50);
+}
+
 // A link that was away for 0.1 s lost as many samples as one that drops one in a hundred.
 TEST(SamplingChecks, TakeNoLongHoleForLostSamples) {
   RecordingSignals signals = record(short_run({}));
@@ -75,13 +116,13 @@ TEST(SamplingChecks, TakeNoLongHoleForLostSamples) {
 
 TEST(SamplingChecks, KnowThatLostSamplesLeaveLittleStructure) {
   const auto lost = [](double share) {
-    return std::vector{SamplingFault{Effect::kSampleDropout, Channel::kSpindleSpeed, share, 0.0, 0.0}};
+    return std::vector{SamplingFault{.effect = Effect::kSampleDropout, .size = share}};
   };
   EXPECT_EQ(structure_left_by({}), 0.0);
   EXPECT_LT(structure_left_by(lost(0.05)), 0.01);
   EXPECT_GT(structure_left_by(lost(0.05)), structure_left_by(lost(0.002)));
-  EXPECT_TRUE(std::isinf(
-      structure_left_by({SamplingFault{Effect::kSensorQuantization, Channel::kFeedSpeed, 20.0, 0.0, 0.0}})));
+  EXPECT_TRUE(
+      std::isinf(structure_left_by({SamplingFault{.effect = Effect::kSensorQuantization, .size = 20.0}})));
 }
 
 TEST(SamplingChecks, TakeRepeatedRowsOutOfTheRecording) {
