@@ -93,7 +93,7 @@ constexpr bool is_stribeck(Effect effect) {
 }
 
 /// Damping ratios of a compliant shaft's swinging, by the form's kind.
-inline constexpr double kShaftDamping[] = {0.05, 0.025, 0.0125, 0.1, 0.2};
+inline constexpr double kShaftDamping[] = {0.05, 0.025, 0.0125, 0.1, 0.2, 0.035, 0.018, 0.07, 0.14};
 inline constexpr int kShaftDampings = static_cast<int>(sizeof(kShaftDamping) / sizeof(double));
 
 /// Can the effect act in one direction only? Friction brakes, a lag lags, a play is not negative.

@@ -30,7 +30,8 @@ class EffectTerm {
   Contribution<Real> step(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
     switch (form_.effect) {
       case Effect::kShaftCompliance:
-        return {.torque_nm = k.inertia_kgm2 * resonance_(part_ == 0 ? s.acceleration_rad_s2 : cut_rad_s2(s, k))};
+        return {.torque_nm =
+                    k.inertia_kgm2 * resonance_(part_ == 0 ? s.acceleration_rad_s2 : cut_rad_s2(s, k))};
       case Effect::kDriveLag:
       case Effect::kFeedDriveLag:
         return lagging(s, k);

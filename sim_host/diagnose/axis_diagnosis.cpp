@@ -93,8 +93,8 @@ bool has_force_offset(const gap::AppliedEffect& effect) {
          (effect.form.effect == gap::Effect::kFeedSpring && effect.form.parts > 1);
 }
 
-/// A spring that rests elsewhere contains the force that was chosen instead, and does as well: that makes it no
-/// rival.
+/// A spring that rests elsewhere contains the force that was chosen instead, and does as well: that makes it
+/// no rival.
 void leave_out_what_contains_it(std::vector<Candidate>& ranked) {
   if (ranked.front().form.effect != gap::Effect::kFeedForceOffset) return;
   std::erase_if(ranked, [](const Candidate& c) {

@@ -253,7 +253,8 @@ void AxisFit::follow_bend(const Trial& best, Trial& trial) {
   const std::vector<Eigen::Index> active = all_columns(width - 1);
   const bool may_be_better =
       std::isfinite(trial.cost) &&
-      fit(trial.moments, active, precision(width), target(width)).rss + trial.cost - trial.squares < best.cost;
+      fit(trial.moments, active, precision(width), target(width)).rss + trial.cost - trial.squares <
+          best.cost;
   if (!may_be_better) return;
   take(step_of(trial.moments, active, 0.0));
   trial = tried();

@@ -52,8 +52,8 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
   if (has_blurred_shape(candidate.form.effect)) sharpen_newest(trial.fit, kNoWider);
   // A bend would do the work of a wrong onset.
   if (candidate.onset_s > 0.0) place_onset_of_newest(trial.fit);
-  weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
   if (candidate.form.effect == gap::Effect::kShaftCompliance) tune_newest(trial.fit);
+  weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
   trial.candidate.form = trial.fit.model().effects.back().form;
   return trial;
 }

@@ -61,8 +61,7 @@ void leave_out(RecordingSignals& signals, std::size_t row) {
   };
   const bool is_all = repeats(Channel::kArmatureVoltage) && repeats(Channel::kFeedForce);
   for (const Channel channel : kNoisyChannels)
-    if (signals.has(channel))
-      signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
+    if (signals.has(channel)) signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
   if (!is_all) return;
   for (auto& column : signals.value)
     if (!column.empty()) column[row] = std::numeric_limits<float>::quiet_NaN();
@@ -133,7 +132,8 @@ struct Steps {
 
 /// Steps that the samples at the end have, and the row after the last one that does not fit them.
 Steps late_steps_of(const std::vector<float>& column) {
-  const std::size_t count = std::min({column.size() / 2, std::max(column.size() / 8, kFewestStepValues), kMostStepValues});
+  const std::size_t count =
+      std::min({column.size() / 2, std::max(column.size() / 8, kFewestStepValues), kMostStepValues});
   const std::vector<float> end(column.end() - static_cast<std::ptrdiff_t>(count), column.end());
   Steps late{.size = step_of(end), .first_row = column.size()};
   if (!(late.size > 0.0)) return {};

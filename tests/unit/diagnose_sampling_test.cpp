@@ -60,12 +60,12 @@ TEST(SamplingChecks, CountTheRowsThatAreMissing) {
 
 TEST(SamplingChecks, SeeWhenStepsSetIn) {
   constexpr double kOnsetS = 0.6;
-  const RecordingSignals signals = record(short_run({effect(Effect::kSensorQuantization, 40.0, kOnsetS)}));
+  const RecordingSignals signals = record(short_run({effect(Effect::kSensorQuantization, 20.0, kOnsetS)}));
   Sensors sensors = reference_sensors();
   const auto faults = find_quantization(signals, sensors);
-  ASSERT_EQ(faults.size(), 3U);
+  ASSERT_FALSE(faults.empty());
   for (const SamplingFault& fault : faults) {
-    EXPECT_NEAR(fault.size, 40.0, 0.1);
+    EXPECT_NEAR(fault.size, 20.0, 0.1);
     // A sample or two before may lie on a step by chance.
     EXPECT_NEAR(fault.onset_s, kOnsetS, 5.0e-4);
   }
