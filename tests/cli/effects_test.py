@@ -181,7 +181,7 @@ class EffectsInMachineFiles(ProgramTest):
                 ('[[gap.forms]]\nshape = 3\n', 0, "needs the name of an effect"),
                 ('[[gap.forms]]\nname = "feed_springs"\n', 1, "did you mean 'feed_spring'?"),
                 ('[[gap.forms]]\nname = "feed_spring"\nsize = 3\n', 2, "not known"),
-                ('[[gap.forms]]\nname = "feed_spring"\nparts = 2\n', 1, "it can have 1 to 1"),
+                ('[[gap.forms]]\nname = "feed_force_offset"\nparts = 2\n', 1, "it can have 1 to 1"),
                 ('[[gap.forms]]\nname = "feed_coulomb_friction"\n', 1, "must be greater than 0"),
                 ('[[gap.forms]]\nname = "clock_jitter"\n', 1, "no signature"),
                 ('[[gap.forms]]\nname = "drive_lag"\nshape = 1e-3\n', 1, "needs [spindle]"),
