@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim_host/diagnose/candidate_forms.hpp"
+#include "sim_host/diagnose/effect_duel.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/effect_trial.hpp"
 #include "sim_host/diagnose/newest_effect.hpp"
@@ -15,11 +16,6 @@
 namespace morepro::host {
 namespace {
 
-// Rivals with this share of the best evidence are put into the model, one after the other, before one is
-// chosen.
-constexpr double kNearlyAsGood = 0.6;
-constexpr std::size_t kMostRivals = 3;
-constexpr std::size_t kMostTrials = 6;  // where those before them turn out to be worth nothing
 constexpr std::size_t kMostEffects = 4;
 // Standard error over size. What is worth its evidence is known to a seventh; a size that is not known at all
 // let the parameters settle elsewhere, and that was its worth.
@@ -28,53 +24,9 @@ constexpr double kLeastShareOfFamily = 0.08;
 // Beside an effect that the machine file states, with the shape that a recording has given it.
 constexpr double kLeastShareOfKnown = 0.02;
 
-constexpr float kAnyRange = 3.0F;  // share of the shape that a linearisation shows
-
-/// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the
-/// recording says otherwise clearly.
-struct Plainer {
-  gap::Effect fine;
-  gap::Effect plain;
-  double undecided;  ///< share of the finer one's evidence that the plain one needs
-  bool stays;        ///< beside the finer one, once it was found, whatever it is worth then
-};
-// Friction that depends on the direction has two parts, one that grows with the speed and one that does not;
-// they are stated together.
-constexpr Plainer kPlainer[] = {
-    {gap::Effect::kFeedStribeckFriction, gap::Effect::kFeedCoulombFriction, 0.75, false},
-    {gap::Effect::kFeedPresliding, gap::Effect::kFeedCoulombFriction, 0.8, false},
-    {gap::Effect::kSpindleStribeckFriction, gap::Effect::kSpindleCoulombFriction, 0.9, false},
-    {gap::Effect::kSpindleCogging, gap::Effect::kSpindleCoulombFriction, 0.7, false},
-    {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, true},
-    {gap::Effect::kFeedSpring, gap::Effect::kFeedForceOffset, 0.7, false},
-};
-
 // Of other plain effects beside the finer one: by chance once in a thousand, and what its shape leaves.
 constexpr double kRarely = 12.0;
 constexpr double kAlways = -1.0e300;
-
-/// Deviance that an effect gains by chance: its coefficients', one for the shape that was looked for, and one
-/// for the onset.
-double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect) {
-  const double onset = effect.onset_s > 0.0 ? 1.0 : 0.0;
-  return (effect.form.parts + 1.0 + onset) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
-}
-
-/// Does so from the plain law, too: a bend does the work of a wrong range.
-void sharpen_range(AxisFit& winner) {
-  AxisFit plain = winner;
-  sharpen_newest(winner, kAnyRange);
-  gap::AppliedEffect& newest = plain.model().effects.back();
-  if (newest.form.parts == 1) return;
-  newest.form.parts = 1;
-  newest.coefficient[1] = 0.0;
-  plain.polish();
-  sharpen_newest(plain, kAnyRange);
-  weigh_bend(plain, plain.model().effects.size() - 1);
-  const double price = std::log(static_cast<double>(plain.signals().rows) + 2.0);
-  const double saved = plain.model().effects.back().form.parts == 1 ? price : 0.0;
-  if (plain.unlikeliness() < winner.unlikeliness() + saved) winner = std::move(plain);
-}
 
 /// What seemed to set in late may have been there from the start, beside what was missing then.
 void begin_earlier(AxisFit& winner) {
@@ -87,19 +39,10 @@ void begin_earlier(AxisFit& winner) {
   }
 }
 
-/// A spring that rests elsewhere has a constant force of its own.
-bool has_force_offset(const gap::AppliedEffect& effect) {
-  return effect.form.effect == gap::Effect::kFeedForceOffset ||
-         (effect.form.effect == gap::Effect::kFeedSpring && effect.form.parts > 1);
-}
-
-/// A spring that rests elsewhere contains the force that was chosen instead, and does as well: that makes it
-/// no rival.
-void leave_out_what_contains_it(std::vector<Candidate>& ranked) {
-  if (ranked.front().form.effect != gap::Effect::kFeedForceOffset) return;
-  std::erase_if(ranked, [](const Candidate& c) {
-    return c.form.effect == gap::Effect::kFeedSpring && c.form.parts > 1;
-  });
+/// Does it contain a constant force, whatever else it does? Then a force beside it is nothing new, and where
+/// a force was chosen instead it does as well, which makes it no rival.
+bool contains_force(const gap::EffectForm& form) {
+  return form.effect == gap::Effect::kFeedSpring && form.parts > 1;
 }
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
@@ -157,86 +100,23 @@ class DiagnosisSearch {
 
   bool add_best_of(std::vector<Candidate> ranked) {
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
-    AxisFit winner = duel(ranked);
+    AxisFit winner = duel(fit_, {diagnosis_.least_evidence, is_astray_}, ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
-    if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect)) sharpen_range(winner);
+    if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect))
+      sharpen_range_of_newest(winner);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     begin_earlier(winner);
-    leave_out_what_contains_it(ranked);
-    left_out_.push_back(ranked.front().form.effect);
-    if (has_force_offset(winner.model().effects.back())) left_out_.push_back(gap::Effect::kFeedForceOffset);
+    const gap::EffectForm& chosen = winner.model().effects.back().form;
+    if (chosen.effect == gap::Effect::kFeedForceOffset)
+      std::erase_if(ranked, [](const Candidate& c) { return contains_force(c.form); });
+    left_out_.push_back(chosen.effect);
+    if (contains_force(chosen)) left_out_.push_back(gap::Effect::kFeedForceOffset);
     fit_ = std::move(winner);
     diagnosis_.found.push_back({.effect = fit_.model().effects.back(),
                                 .evidence = ranked.front().evidence,
                                 .rivals = std::move(ranked)});
     take_sizes();
     return true;
-  }
-
-  /// Puts the best candidates into the model, each for itself, with everything refitted: the evidence of a
-  /// linearisation does not tell a delay from a lag. Returns the fit of the best, which is then in front.
-  AxisFit duel(std::vector<Candidate>& ranked) const {
-    const AxisFit::Rival without = fit_.as_rival();
-    for (Candidate& rival : ranked) rival.promised = rival.evidence;
-    const double promised_most = ranked.front().evidence;
-    std::vector<EffectTrial> trials = sure_trials(ranked, without);
-    const std::size_t sure = trials.size();
-    double best = 0.0;
-    double kept = 1.0;  // of what the linearisation promised to the best
-    Family family = Family::kNone;
-    for (std::size_t i = 0; i < ranked.size(); ++i) {
-      Candidate& rival = ranked[i];
-      if (i >= sure) {
-        if (!is_worth_a_trial(rival, trials.size(), std::min(best, promised_most)) &&
-            !is_other_lag(rival, trials.size(), best, family)) {
-          rival.evidence *= kept;
-          continue;
-        }
-        trials.push_back(try_effect(fit_, rival, without, is_astray_));
-      }
-      const EffectTrial& trial = i < sure ? trials[i] : trials.back();
-      rival = trial.candidate;
-      rival.evidence = without.everywhere - trial.fit.unlikeliness() -
-                       freedom_cost(trial.fit, trial.fit.model().effects.back());
-      if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
-      if (!(rival.evidence > best)) continue;
-      best = rival.evidence;
-      kept = best / rival.promised;
-      family = family_of(rival.form.effect);
-    }
-    std::sort(ranked.begin(), ranked.end(), by_evidence);
-    put_plain_first(ranked, trials);
-    const AxisFit* winner = fit_of(trials, ranked.front());
-    return winner != nullptr ? *winner : fit_;
-  }
-
-  /// Those that get a trial whatever the others turn out to be worth, side by side.
-  std::vector<EffectTrial> sure_trials(const std::vector<Candidate>& ranked,
-                                       const AxisFit::Rival& without) const {
-    const double enough = std::max(kNearlyAsGood * ranked.front().evidence, diagnosis_.least_evidence);
-    std::size_t count = 0;
-    while (count < std::min(kMostRivals, ranked.size()) && ranked[count].evidence >= enough) ++count;
-    std::vector<std::optional<EffectTrial>> trials(count);
-    in_parallel(count, [&](std::size_t i) { trials[i] = try_effect(fit_, ranked[i], without, is_astray_); });
-    std::vector<EffectTrial> done;
-    for (auto& trial : trials) done.push_back(std::move(*trial));
-    return done;
-  }
-
-  /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn.
-  /// `best`: what the best of those before has been worth, no more than was promised to the first.
-  [[nodiscard]] bool is_worth_a_trial(const Candidate& rival, std::size_t tried, double best) const {
-    if (tried >= kMostTrials || rival.evidence < diagnosis_.least_evidence) return false;
-    return best < diagnosis_.least_evidence ||
-           (tried < kMostRivals && rival.evidence >= kNearlyAsGood * best);
-  }
-
-  /// A lag, a delay and a bandwidth do nearly the same of one size, and bent parameters hide which: where one
-  /// is the best, the others get their turn, too.
-  static bool is_other_lag(const Candidate& rival, std::size_t tried, double best, Family family) {
-    constexpr double kNoticeably = 0.1;
-    return tried < kMostTrials && is_lag(family) && family_of(rival.form.effect) == family &&
-           rival.evidence > kNoticeably * best;
   }
 
   /// What explains most beside the datasheet's parameters comes first; bent ones hide it.
@@ -268,25 +148,6 @@ class DiagnosisSearch {
     if (!is_held || force == ranked.end()) return;
     force->evidence = std::max(ranked.front().evidence, diagnosis_.least_evidence);
     std::rotate(ranked.begin(), force, force + 1);
-  }
-
-  static const AxisFit* fit_of(const std::vector<EffectTrial>& trials, const Candidate& candidate) {
-    for (const EffectTrial& trial : trials)
-      if (trial.candidate.form.effect == candidate.form.effect) return &trial.fit;
-    return nullptr;
-  }
-
-  static void put_plain_first(std::vector<Candidate>& ranked, const std::vector<EffectTrial>& trials) {
-    for (const Plainer& pair : kPlainer) {
-      if (ranked.front().form.effect != pair.fine) continue;
-      const double enough_evidence = pair.undecided * ranked.front().evidence;
-      const auto plain = std::find_if(ranked.begin(), ranked.end(), [&](const Candidate& rival) {
-        return rival.form.effect == pair.plain && rival.evidence >= enough_evidence;
-      });
-      if (plain == ranked.end() || fit_of(trials, *plain) == nullptr) continue;
-      std::rotate(ranked.begin(), plain, plain + 1);
-      return;
-    }
   }
 
   void take_sizes() {

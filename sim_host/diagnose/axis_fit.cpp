@@ -22,9 +22,8 @@ constexpr std::array kDampings{0.0, 1.0, 30.0};
 constexpr double kSettledRound = 5.0;         // deviance that a round of noise and parameters gains
 constexpr double kSettled = 4.0;              // chi-square that a further step would gain
 constexpr double kBeyondAnotherRound = 0.01;  // deviance per row that another round does not make up for
-constexpr double kCrawl = 0.005;       // share of its promise that a step keeps where another one is no use
-constexpr double kNotFitted = 1.0e24;  // precision of what the recording tells nothing about
-constexpr double kLongestStep = 0.3;   // relative: beyond, the linearisation is worth little
+constexpr double kCrawl = 0.005;      // share of its promise that a step keeps where another one is no use
+constexpr double kLongestStep = 0.3;  // relative: beyond, the linearisation is worth little
 
 /// Eigenvalues of a covariance, in units of the prior's, that are below a hundredth.
 int directions_known(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& precision) {
@@ -53,51 +52,6 @@ std::vector<Eigen::Index> AxisFit::parameter_columns() const {
   return all_columns(static_cast<Eigen::Index>(parameter_count(axis_)));
 }
 
-Eigen::VectorXd AxisFit::precision(Eigen::Index width) const {
-  Eigen::VectorXd precision = Eigen::VectorXd::Zero(width);
-  const auto count = static_cast<Eigen::Index>(parameter_count(axis_));
-  precision.head(count).setConstant(1.0 / (kDatasheetSpread * kDatasheetSpread));
-  if (axis_ == Axis::kSpindle && signals_->is_current_driven)
-    precision.segment(kTorqueParameters, count - kTorqueParameters).setConstant(kNotFitted);
-  if (axis_ == Axis::kFeed) {
-    const auto& feed = datasheet_.machine.feed;
-    const double load_n = std::max(feed.contact_force_n + feed.contact_offset_n, 1.0e-3);
-    precision(2) /= load_n * load_n;
-    precision(3) /= load_n * load_n;
-  }
-  return precision;
-}
-
-Eigen::VectorXd AxisFit::deviation() const {
-  const auto& s = model_.machine.spindle;
-  const auto& s0 = datasheet_.machine.spindle;
-  const auto& f = model_.machine.feed;
-  const auto& f0 = datasheet_.machine.feed;
-  const auto relative = [](double value, double datasheet) {
-    return datasheet != 0.0 ? value / datasheet - 1.0 : 0.0;
-  };
-  Eigen::VectorXd d(static_cast<Eigen::Index>(parameter_count(axis_)));
-  if (axis_ == Axis::kSpindle) {
-    d << relative(s.torque_constant_nm_a, s0.torque_constant_nm_a),
-        relative(s.viscous_friction_nms_rad, s0.viscous_friction_nms_rad),
-        relative(s.inertia_kgm2, s0.inertia_kgm2), relative(s.resistance_ohm, s0.resistance_ohm),
-        relative(s.back_emf_constant_vs_rad, s0.back_emf_constant_vs_rad),
-        relative(s.inductance_h, s0.inductance_h);
-  } else {
-    d << relative(f.mass_kg, f0.mass_kg), relative(f.viscous_friction_ns_m, f0.viscous_friction_ns_m),
-        f.contact_force_n + f.contact_offset_n - f0.contact_force_n - f0.contact_offset_n,
-        f.contact_force_n - f0.contact_force_n;
-  }
-  return d;
-}
-
-Eigen::VectorXd AxisFit::target(Eigen::Index width) const {
-  Eigen::VectorXd target = Eigen::VectorXd::Zero(width);
-  const Eigen::VectorXd d = deviation();
-  target.head(d.size()) = -d;
-  return target;
-}
-
 GapStatistics AxisFit::collect_with(const Disturbances& candidates) const {
   return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, kBlockS);
 }
@@ -108,56 +62,6 @@ GapStatistics AxisFit::collect_with_each(const Disturbances& candidates) const {
 
 GapStatistics AxisFit::innovations() const {
   return collect(axis_, *signals_, stretches_, model_, {}, whitening_, kBlockS, Moments::kOfInnovations);
-}
-
-void AxisFit::take_parameters(const Eigen::VectorXd& step) {
-  auto& s = model_.machine.spindle;
-  auto& f = model_.machine.feed;
-  if (axis_ == Axis::kSpindle) {
-    s.torque_constant_nm_a *= std::exp(step(0));
-    s.viscous_friction_nms_rad *= std::exp(step(1));
-    s.inertia_kgm2 *= std::exp(step(2));
-    s.resistance_ohm *= std::exp(step(3));
-    s.back_emf_constant_vs_rad *= std::exp(step(4));
-    s.inductance_h *= std::exp(step(5));
-    return;
-  }
-  f.mass_kg *= std::exp(step(0));
-  f.viscous_friction_ns_m *= std::exp(step(1));
-  f.contact_force_n += step(3);
-  f.contact_offset_n += step(2) - step(3);
-}
-
-void AxisFit::take_sizes(const Eigen::VectorXd& step) {
-  Eigen::Index next = 0;
-  for (gap::AppliedEffect& effect : model_.effects) {
-    for (std::size_t part = 0; part < effect.form.parts; ++part) {
-      const double change = step(next++);
-      if (is_pure_shape(effect.form))
-        effect.form.shape *= static_cast<float>(std::clamp(std::exp(change), 0.5, 2.0));
-      else
-        effect.coefficient[part] += change;
-    }
-  }
-}
-
-bool AxisFit::tells_engaged_load() const {
-  const auto& f = model_.machine.feed;
-  return standard_error_.size() > 3 && standard_error_(3) < kTold * std::fabs(f.contact_force_n);
-}
-
-void AxisFit::attribute_load() {
-  auto& f = model_.machine.feed;
-  if (axis_ != Axis::kFeed || tells_engaged_load() || !(f.engagement > 0.0)) return;
-  const double offset_n = datasheet_.machine.feed.contact_offset_n;
-  f.contact_force_n += (f.contact_offset_n - offset_n) / f.engagement;
-  f.contact_offset_n = offset_n;
-}
-
-void AxisFit::take(const Eigen::VectorXd& step) {
-  const auto parameters = static_cast<Eigen::Index>(parameter_count(axis_));
-  take_parameters(step.head(parameters));
-  take_sizes(step.tail(step.size() - parameters));
 }
 
 std::optional<AxisFit::KnownSize> AxisFit::known_size_of(gap::Effect effect) const {

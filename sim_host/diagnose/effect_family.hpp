@@ -34,6 +34,25 @@ constexpr Family family_of(gap::Effect effect) {
 
 constexpr bool is_lag(Family family) { return family == Family::kElectricLag || family == Family::kFeedLag; }
 
+/// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the
+/// recording says otherwise clearly.
+struct Plainer {
+  gap::Effect fine;
+  gap::Effect plain;
+  double undecided;  ///< share of the finer one's evidence that the plain one needs
+  bool stays;        ///< beside the finer one, once it was found, whatever it is worth then
+};
+// Friction that depends on the direction has two parts, one that grows with the speed and one that does not;
+// they are stated together.
+inline constexpr Plainer kPlainer[] = {
+    {gap::Effect::kFeedStribeckFriction, gap::Effect::kFeedCoulombFriction, 0.75, false},
+    {gap::Effect::kFeedPresliding, gap::Effect::kFeedCoulombFriction, 0.8, false},
+    {gap::Effect::kSpindleStribeckFriction, gap::Effect::kSpindleCoulombFriction, 0.9, false},
+    {gap::Effect::kSpindleCogging, gap::Effect::kSpindleCoulombFriction, 0.7, false},
+    {gap::Effect::kFeedAsymmetricFriction, gap::Effect::kFeedForceOffset, 0.5, true},
+    {gap::Effect::kFeedSpring, gap::Effect::kFeedForceOffset, 0.7, false},
+};
+
 /// On which side of a play a slide is, pieces of a recording do not tell, nor does any model know it for
 /// long: its size can be right and the gap stay.
 constexpr bool keeps_its_side(gap::Effect effect) { return effect == gap::Effect::kFeedBacklash; }

@@ -125,10 +125,10 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
     // All parts of an interval share one input: what is not known of it adds up.
     const double lost = frames.has_lost_inputs() ? static_cast<double>(parts) * signals.lost_voltage_v2 : 0.0;
     observer->move_on(frame);
-    if (lost > 0.0) observer->blur_input(lost);
+    observer->blur_input(lost);
     for (std::size_t i = 1; i < parts; ++i) {
       observer->step(unseen(frame, static_cast<double>(i) * part_s), *rows);
-      if (lost > 0.0) observer->blur_input(lost);
+      observer->blur_input(lost);
     }
   }
 }
@@ -156,11 +156,11 @@ void run_feed(const RecordingSignals& signals, const GapModel& model, const Dist
     innovation.sensor = 1;
     report(rows->speed, columns, innovation, on_innovation);
     const double lost = frames.has_lost_inputs() ? static_cast<double>(parts) * signals.lost_force_n2 : 0.0;
-    if (lost > 0.0) observer->blur_input(lost);
+    observer->blur_input(lost);
     for (std::size_t i = 1; i < parts; ++i) {
       observer->step(unseen(frame, static_cast<double>(i) * part_s), spindle.speed_rad_s, spindle.angle_rad,
                      *rows);
-      if (lost > 0.0) observer->blur_input(lost);
+      observer->blur_input(lost);
     }
   }
 }

@@ -55,13 +55,8 @@ AxisFit without(const AxisDiagnosis& diagnosis, std::size_t index) {
   return fit;
 }
 
-/// The name that keeps least of those that keep too little; one behind the last where each keeps enough.
-struct Weakest {
-  std::size_t index = 0;
-  double kept = kUsuallyKept;  ///< share of its evidence
-};
-
-Weakest weakest_beside_lasting_noise(AxisDiagnosis& diagnosis, const std::vector<gap::Effect>& needed) {
+/// Names that keep too little of their evidence beside noise that lasts, the least first.
+std::vector<std::size_t> doubtful_beside_lasting_noise(AxisDiagnosis& diagnosis) {
   const std::size_t count = diagnosis.found.size();
   std::vector<double> deviance(count + 1);
   in_parallel(count + 1, [&](std::size_t i) {
@@ -69,7 +64,7 @@ Weakest weakest_beside_lasting_noise(AxisDiagnosis& diagnosis, const std::vector
     deviance[i] = fit.refit_beside_lasting_noise();
   });
   const auto rows = static_cast<double>(diagnosis.fit.signals().rows);
-  Weakest weakest{.index = count};
+  std::vector<std::size_t> doubtful;
   for (std::size_t i = 0; i < count; ++i) {
     Finding& finding = diagnosis.found[i];
     if (diagnosis.needed(finding, kChance) < kChance) continue;  // another one states it along
@@ -77,11 +72,12 @@ Weakest weakest_beside_lasting_noise(AxisDiagnosis& diagnosis, const std::vector
     finding.kept = left / std::max(finding.evidence, kChance);
     const bool is_little = finding.kept < kLeastKept || (finding.kept < kSmallShare && left < kMuch * rows);
     const bool is_noise = is_little || left < kMostOfNoise * rows;
-    const bool is_needed =
-        std::find(needed.begin(), needed.end(), finding.effect.form.effect) != needed.end();
-    if (is_noise && !is_needed && finding.kept < weakest.kept) weakest = {i, finding.kept};
+    if (is_noise && finding.kept < kUsuallyKept) doubtful.push_back(i);
   }
-  return weakest;
+  std::stable_sort(doubtful.begin(), doubtful.end(), [&diagnosis](std::size_t a, std::size_t b) {
+    return diagnosis.found[a].kept < diagnosis.found[b].kept;
+  });
+  return doubtful;
 }
 
 /// Do the names close the gap in pieces that they were not fitted to? What wanders by itself does not follow
@@ -92,6 +88,22 @@ bool close_gap(const AxisDiagnosis& diagnosis) {
   Shrinkage shrinkage;
   share_closed(rows, unnamed, 1, shrinkage);
   return is_nearly_closed(shrinkage);
+}
+
+/// The most doubtful name without which the gap is no more open than with it. Was there any?
+bool drop_one_beside_lasting_noise(AxisDiagnosis& diagnosis) {
+  const std::vector<std::size_t> doubtful = doubtful_beside_lasting_noise(diagnosis);
+  const bool is_closed = !doubtful.empty() && close_gap(diagnosis);
+  for (const std::size_t index : doubtful) {
+    AxisDiagnosis others = diagnosis;
+    std::vector<char> is_noise(diagnosis.found.size(), 0);
+    is_noise[index] = 1;
+    drop(others, is_noise);
+    if (is_closed && !close_gap(others)) continue;
+    diagnosis = std::move(others);
+    return true;
+  }
+  return false;
 }
 
 /// A lag or a delay.
@@ -118,21 +130,7 @@ bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis) {
   // Of a thinned recording what remembers itself is structure.
   if (diagnosis.fit.signals().is_thinned) return false;
   bool has_changed = false;
-  std::vector<gap::Effect> needed;
-  while (!diagnosis.found.empty()) {
-    const Weakest weakest = weakest_beside_lasting_noise(diagnosis, needed);
-    if (weakest.index == diagnosis.found.size()) break;
-    AxisDiagnosis others = diagnosis;
-    std::vector<char> is_noise(diagnosis.found.size(), 0);
-    is_noise[weakest.index] = 1;
-    drop(others, is_noise);
-    if (close_gap(diagnosis) && !close_gap(others)) {
-      needed.push_back(diagnosis.found[weakest.index].effect.form.effect);
-      continue;
-    }
-    diagnosis = std::move(others);
-    has_changed = true;
-  }
+  while (drop_one_beside_lasting_noise(diagnosis)) has_changed = true;
   return has_changed;
 }
 

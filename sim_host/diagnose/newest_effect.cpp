@@ -1,8 +1,11 @@
 #include "sim_host/diagnose/newest_effect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "sim_host/diagnose/candidate_forms.hpp"
@@ -17,15 +20,15 @@ constexpr int kRounds = 2;
 // show.
 constexpr double kBeforeOnsetS = 1.0;
 
-/// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, factor)` makes
+/// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, value)` makes
 /// one of the newest effect, or gives false where there is none. Was there any?
-template <class Vary>
-bool take_likelier(AxisFit& trial, std::initializer_list<float> factors, Vary vary) {
+template <class Value, std::size_t kCount, class Vary>
+bool take_likelier(AxisFit& trial, const std::array<Value, kCount>& values, Vary vary) {
   bool has_changed = false;
-  for (const float factor : factors) {
+  for (const Value value : values) {
     for (;;) {
       AxisFit other = trial;
-      if (!vary(other.model().effects.back(), factor)) break;
+      if (!vary(other.model().effects.back(), value)) break;
       other.refit();
       if (!(other.unlikeliness() < trial.unlikeliness() - kSharper)) break;
       trial = std::move(other);
@@ -67,28 +70,29 @@ bool search_friction(AxisFit& trial, float seen, float widest_share) {
     return true;
   };
   trial.refit();
-  const bool has_shape = take_likelier(trial, {0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}, reshape);
-  const bool has_size = take_likelier(trial, {2.5F, 1.6F, 0.6F, 1.2F, 0.9F}, resize);
+  const bool has_shape =
+      take_likelier(trial, std::array{0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}, reshape);
+  const bool has_size = take_likelier(trial, std::array{2.5F, 1.6F, 0.6F, 1.2F, 0.9F}, resize);
   return has_shape || has_size;
 }
 
 void search_shaft(AxisFit& trial) {
-  const auto damp = [](gap::AppliedEffect& shaft, float kind) {
-    const bool is_same = shaft.form.kind == static_cast<std::uint8_t>(kind);
-    shaft.form.kind = static_cast<std::uint8_t>(kind);
-    return !is_same;
+  const auto damp = [](gap::AppliedEffect& shaft, std::uint8_t kind) {
+    return std::exchange(shaft.form.kind, kind) != kind;
   };
   const auto detune = [](gap::AppliedEffect& shaft, float factor) {
     shaft.form.shape *= factor;
     return true;
   };
   constexpr int kMostTurns = 3;
-  static_assert(gap::kShaftDampings == 9);
+  std::array<std::uint8_t, gap::kShaftDampings> dampings{};
+  std::iota(dampings.begin(), dampings.end(), std::uint8_t{0});
   trial.refit();
   bool has_changed = true;
   for (int turn = 0; turn < kMostTurns && has_changed; ++turn) {
-    has_changed = take_likelier(trial, {0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F}, damp);
-    has_changed |= take_likelier(trial, {0.9F, 1.1F, 0.95F, 1.05F, 0.98F, 1.02F, 0.995F, 1.005F}, detune);
+    has_changed = take_likelier(trial, dampings, damp);
+    has_changed |=
+        take_likelier(trial, std::array{0.9F, 1.1F, 0.95F, 1.05F, 0.98F, 1.02F, 0.995F, 1.005F}, detune);
   }
 }
 
@@ -130,6 +134,23 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
   if (!is_bent && gain() < 0.5 * price) return;
   other.polish();
   if (gain() > (is_bent ? -price : price)) trial = std::move(other);
+}
+
+// From the plain law, too: a bend does the work of a wrong range.
+void sharpen_range_of_newest(AxisFit& trial) {
+  constexpr float kAnyRange = 3.0F;  // share of the shape that a linearisation shows
+  AxisFit plain = trial;
+  sharpen_newest(trial, kAnyRange);
+  gap::AppliedEffect& newest = plain.model().effects.back();
+  if (newest.form.parts == 1) return;
+  newest.form.parts = 1;
+  newest.coefficient[1] = 0.0;
+  plain.polish();
+  sharpen_newest(plain, kAnyRange);
+  weigh_bend(plain, plain.model().effects.size() - 1);
+  const double price = std::log(static_cast<double>(plain.signals().rows) + 2.0);
+  const double saved = plain.model().effects.back().form.parts == 1 ? price : 0.0;
+  if (plain.unlikeliness() < trial.unlikeliness() + saved) trial = std::move(plain);
 }
 
 // At which end the cut is and how the shaft is damped hide each other: the search begins with either end.

@@ -7,6 +7,9 @@ namespace morepro::host {
 /// before, the sensors' noise blurs it. `widest_share` of the shape that it has is the most that it can be.
 void sharpen_newest(AxisFit& trial, float widest_share);
 
+/// The same for the range of Stribeck friction, with and without its bend.
+void sharpen_range_of_newest(AxisFit& trial);
+
 /// Searches for resonance and damping of the model's newest effect, a compliant shaft, now that it swings in
 /// the model.
 void tune_newest(AxisFit& trial);

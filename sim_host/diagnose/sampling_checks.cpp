@@ -95,6 +95,26 @@ bool is_late(const LostRows& lost, double rows) {
   return lost.count * before > kHardlyEver * (rows - before);
 }
 
+struct Steps {
+  double size = 0.0;
+  std::size_t first_row = 0;
+};
+
+/// Steps that the samples at the end have, and the row after the last one that does not fit them.
+Steps late_steps_of(const std::vector<float>& column) {
+  const std::size_t count =
+      std::min({column.size() / 2, std::max(column.size() / 8, kFewestStepValues), kMostStepValues});
+  const std::vector<float> end(column.end() - static_cast<std::ptrdiff_t>(count), column.end());
+  Steps late{.size = step_of(end), .first_row = column.size()};
+  if (!(late.size > 0.0)) return {};
+  const auto fits = [&late](float value) {
+    const double steps = static_cast<double>(value) / late.size;
+    return !(value == value) || std::fabs(steps - std::round(steps)) < 0.05 + 4.0e-7 * std::fabs(steps);
+  };
+  while (late.first_row > 0 && fits(column[late.first_row - 1])) --late.first_row;
+  return late;
+}
+
 }  // namespace
 
 double step_of(const std::vector<float>& column) {
@@ -122,30 +142,6 @@ double step_of(const std::vector<float>& column) {
   }
   return 20 * fitting >= 19 * (values.size() - 1) ? step : 0.0;
 }
-
-namespace {
-
-struct Steps {
-  double size = 0.0;
-  std::size_t first_row = 0;
-};
-
-/// Steps that the samples at the end have, and the row after the last one that does not fit them.
-Steps late_steps_of(const std::vector<float>& column) {
-  const std::size_t count =
-      std::min({column.size() / 2, std::max(column.size() / 8, kFewestStepValues), kMostStepValues});
-  const std::vector<float> end(column.end() - static_cast<std::ptrdiff_t>(count), column.end());
-  Steps late{.size = step_of(end), .first_row = column.size()};
-  if (!(late.size > 0.0)) return {};
-  const auto fits = [&late](float value) {
-    const double steps = static_cast<double>(value) / late.size;
-    return !(value == value) || std::fabs(steps - std::round(steps)) < 0.05 + 4.0e-7 * std::fabs(steps);
-  };
-  while (late.first_row > 0 && fits(column[late.first_row - 1])) --late.first_row;
-  return late;
-}
-
-}  // namespace
 
 std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors) {
   std::vector<SamplingFault> faults;

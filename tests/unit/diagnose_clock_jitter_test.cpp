@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "sim_host/simulate/simulated_machine.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {
@@ -41,6 +46,48 @@ TEST(ClockJitter, IsNamedWhereProcessNoiseHasTakenIt) {
   EXPECT_EQ(result.which.front().effect, Effect::kClockJitter) << said(result);
   EXPECT_EQ(result.verdict, Verdict::kEffect);
   EXPECT_NEAR(result.which.front().magnitude, kLargeS, 0.2 * kLargeS);
+}
+
+/// A spindle whose samples and inputs hang on one clock that shakes: an interval is as long as its two
+/// instants are apart.
+RecordingSignals on_a_shaken_clock(double jitter_s) {
+  constexpr double kStepS = 2.0e-6;
+  constexpr double kMost = 0.4;  // of an interval
+  RecordingSignals signals;
+  signals.rate_hz = 10000.0;
+  signals.rows = 30000;
+  const double period_s = 1.0 / signals.rate_hz;
+  SimulatedMachine machine(reference_machine(), kStepS);
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  const Sensors sensors = reference_sensors();
+  PlantInput<double> input;
+  double late_s = 0.0;
+  for (std::size_t row = 0; row < signals.rows; ++row) {
+    if (row % 10 == 0) input.armature_voltage_v = random() % 2 == 0 ? 30.0 : 18.0;
+    const auto push = [&](Channel channel, double value) {
+      signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(channel));
+      signals.value[index_of(channel)].push_back(
+          static_cast<float>(value + sensors[channel].noise * normal(random)));
+    };
+    push(Channel::kArmatureVoltage, input.armature_voltage_v);
+    push(Channel::kSpindleSpeed, machine.state().speed_rad_s);
+    push(Channel::kArmatureCurrent, machine.state().current_a);
+    const double next_late_s = std::clamp(jitter_s * normal(random), -kMost * period_s, kMost * period_s);
+    const auto steps = std::lround((period_s + next_late_s - late_s) / kStepS);
+    late_s += static_cast<double>(steps) * kStepS - period_s;
+    for (long i = 0; i < steps; ++i) machine.step(input);
+  }
+  return signals;
+}
+
+// Neighbours share a third of it, more than of samples that alone are taken at the wrong time: "unexplained".
+TEST(ClockJitter, MayShakeInputsAndSamplesAlike) {
+  constexpr double kJitterS = 5.0e-5;
+  const auto result = diagnosed(on_a_shaken_clock(kJitterS), datasheet(0.1));
+  EXPECT_EQ(result.verdict, Verdict::kEffect) << said(result);
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_EQ(result.which.front().effect, Effect::kClockJitter) << said(result);
 }
 
 TEST(ClockJitter, ShowsInTheVoltageBalance) {

@@ -8,7 +8,15 @@
 namespace morepro::diagnose_test {
 namespace {
 
-host::ProfileKind production() { return host::ProfileKind::kProduction; }
+/// Of 20 s in production at 2 kHz, with a datasheet that is 20 % off.
+DiagnosisResult diagnosed_in_production(Effect name, double size, std::uint64_t seed) {
+  return diagnosed(record({.effects = {effect(name, size)},
+                           .duration_s = 20.0,
+                           .rate_hz = 2000.0,
+                           .seed = seed,
+                           .profile = host::ProfileKind::kProduction}),
+                   datasheet(0.2));
+}
 
 // A whole step ends beside the valley's floor, and damped ones crawled along it: dry friction and an offset
 // of the supply stood for the bias, at 98 %, and a saturation of 0.0002 with something without a name for
@@ -16,12 +24,7 @@ host::ProfileKind production() { return host::ProfileKind::kProduction; }
 TEST(Valleys, ThatBendAreFollowed) {
   for (const auto& [name, size] :
        {std::pair{Effect::kCurrentBias, 0.15}, std::pair{Effect::kTorqueConstantSaturation, 0.004}}) {
-    const auto result = diagnosed(record({.effects = {effect(name, size)},
-                                          .duration_s = 20.0,
-                                          .rate_hz = 2000.0,
-                                          .seed = 42,
-                                          .profile = production()}),
-                                  datasheet(0.2));
+    const auto result = diagnosed_in_production(name, size, 42);
     EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
     ASSERT_EQ(result.which.size(), 1U) << said(result);
     EXPECT_EQ(result.which.front().effect, name) << said(result);
@@ -32,12 +35,7 @@ TEST(Valleys, ThatBendAreFollowed) {
 // Beside a bristle a load of the cut that grows with the feed's speed was fitted to a part of the recording,
 // ran away in the rest, and took the bristle with it.
 TEST(RunawayModels, TakeNothingWithThem) {
-  const auto result = diagnosed(record({.effects = {effect(Effect::kFeedPresliding, 6.0)},
-                                        .duration_s = 20.0,
-                                        .rate_hz = 2000.0,
-                                        .seed = 33,
-                                        .profile = production()}),
-                                datasheet(0.2));
+  const auto result = diagnosed_in_production(Effect::kFeedPresliding, 6.0, 33);
   EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
   ASSERT_EQ(result.which.size(), 1U) << said(result);
   EXPECT_TRUE(names(result.which.front(), Effect::kFeedPresliding)) << said(result);

@@ -6,16 +6,8 @@
 #include "sim_host/diagnose/innovation_pass.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
-namespace morepro::host {
+namespace morepro::diagnose_test {
 namespace {
-
-using diagnose_test::datasheet;
-using diagnose_test::diagnosed;
-using diagnose_test::effect;
-using diagnose_test::gap_model;
-using diagnose_test::record;
-using diagnose_test::said;
-using gap::Effect;
 
 /// Dither of 12 V every millisecond, of which every thirtieth is not recorded.
 RecordingSignals thirtieth_lost() {
@@ -26,7 +18,7 @@ RecordingSignals thirtieth_lost() {
 // The voltage of the row before stood for the lost one: "unexplained", in four of four recordings.
 TEST(LostRows, AreAFaultOfTheSamplingAndNoStructure) {
   const auto result = diagnosed(thirtieth_lost(), datasheet(0.1));
-  EXPECT_EQ(result.verdict, Verdict::kEffect) << said(result);
+  EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
   ASSERT_EQ(result.which.size(), 1U) << said(result);
   EXPECT_EQ(result.which.front().effect, Effect::kSampleDropout);
 }
@@ -37,19 +29,19 @@ TEST(LostRows, AreFollowedByInnovationsThatTheObserverExpects) {
   const auto power = [&signals] {
     double squares = 0.0;
     double count = 0.0;
-    run_observer(Axis::kSpindle, signals, gap_model(datasheet(0.0), signals), 0, signals.rows,
-                 [&](const Innovation& v) {
-                   if (v.sensor != 1 || v.row == 0 || !is_missing(signals, v.row - 1)) return;
-                   squares += v.value * v.value / v.variance;
-                   count += 1.0;
-                 });
+    host::run_observer(host::Axis::kSpindle, signals, gap_model(datasheet(0.0), signals), 0, signals.rows,
+                       [&](const host::Innovation& v) {
+                         if (v.sensor != 1 || v.row == 0 || !host::is_missing(signals, v.row - 1)) return;
+                         squares += v.value * v.value / v.variance;
+                         count += 1.0;
+                       });
     return squares / count;
   };
   EXPECT_GT(power(), 100.0);
-  doubt_lost_inputs(signals);
+  host::doubt_lost_inputs(signals);
   // 290 rows of a voltage that is one of two: their squares are known to a sixth.
   EXPECT_NEAR(power(), 1.0, 0.3);
 }
 
 }  // namespace
-}  // namespace morepro::host
+}  // namespace morepro::diagnose_test
