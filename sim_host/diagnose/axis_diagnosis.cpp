@@ -28,17 +28,6 @@ constexpr double kLeastShareOfKnown = 0.02;
 constexpr double kRarely = 12.0;
 constexpr double kAlways = -1.0e300;
 
-/// What seemed to set in late may have been there from the start, beside what was missing then.
-void begin_earlier(AxisFit& winner) {
-  for (std::size_t i = 0; i + 1 < winner.model().effects.size(); ++i) {
-    if (!(winner.model().effects[i].onset_s > 0.0)) continue;
-    AxisFit other = winner;
-    other.model().effects[i].onset_s = 0.0;
-    other.polish(winner.unlikeliness());
-    if (other.unlikeliness() < winner.unlikeliness()) winner = std::move(other);
-  }
-}
-
 /// Does it contain a constant force, whatever else it does? Then a force beside it is nothing new, and where
 /// a force was chosen instead it does as well, which makes it no rival.
 bool contains_force(const gap::EffectForm& form) {
@@ -105,7 +94,6 @@ class DiagnosisSearch {
     if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect))
       sharpen_range_of_newest(winner);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
-    begin_earlier(winner);
     const gap::EffectForm& chosen = winner.model().effects.back().form;
     if (chosen.effect == gap::Effect::kFeedForceOffset)
       std::erase_if(ranked, [](const Candidate& c) { return contains_force(c.form); });
