@@ -1,7 +1,7 @@
 // The pages of recordings without a mouse, without eyes, and on paper.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { DESKTOP, openPage, startBrowser } from "./browser.mjs";
+import { after, afterEach, before, test } from "node:test";
+import { closePages, DESKTOP, openPage, startBrowser } from "./browser.mjs";
 import { inkOf, shownTime, waitForCharts } from "./charts.mjs";
 import { Folder } from "./program.mjs";
 
@@ -22,6 +22,7 @@ before(async () => {
   folder.runWithStatus(["diff", "run.csv", "other.csv", "--report", "diff.html", "--progress", "off"]);
   browser = await startBrowser();
 });
+afterEach(closePages);
 after(async () => {
   await browser?.close();
   folder?.remove();
@@ -119,31 +120,34 @@ async function tabThrough(page) {
   return { seen, count: await page.evaluate(() => globalThis.controls.length) };
 }
 
-for (const name of PAGES) {
-  test(`${name} by Tab: every control in its order, marked, with a name, not behind the bar`, async () => {
-    const { page } = await openWith(name);
-    const { seen, count } = await tabThrough(page);
-    assert.ok(count > 20);
-    const reached = seen.map(({ at }) => at).filter((at) => at >= 0);
-    assert.deepEqual(reached, Array.from({ length: count }, (_, i) => i));
-    for (const { what, name: spoken, isMarked, isHidden } of seen) {
-      assert.ok(spoken.trim() !== "", `${what} has no name`);
-      assert.ok(isMarked, `${what} does not show that it has the focus`);
-      assert.ok(!isHidden, `${what} is behind the bar`);
-    }
-  });
+function assertTabReachesAll({ seen, count }) {
+  assert.ok(count > 20);
+  const reached = seen.map(({ at }) => at).filter((at) => at >= 0);
+  assert.deepEqual(reached, Array.from({ length: count }, (_, i) => i));
+  for (const { what, name, isMarked, isHidden } of seen) {
+    assert.ok(name.trim() !== "", `${what} has no name`);
+    assert.ok(isMarked, `${what} does not show that it has the focus`);
+    assert.ok(!isHidden, `${what} is behind the bar`);
+  }
+}
 
-  test(`${name} for a screen reader: every chart says what it shows and in which unit`, async () => {
+async function assertChartsAreSpoken(page) {
+  const charts = await page.$$eval("canvas:not(#scene canvas)", (all) => all.map((canvas) =>
+    [canvas.getAttribute("role"), canvas.getAttribute("aria-label"), canvas.closest("figure").querySelector("h2").textContent]));
+  for (const [role, label, heading] of charts) {
+    assert.equal(role, "img");
+    assert.match(label, /^.+ over .+: .+$/);
+    assert.ok(label.startsWith(heading), label);
+  }
+  assert.ok(charts.some(([, label]) => label.startsWith("Spindle speed, rad/s over time, s: ")), `${charts}`);
+  assert.equal(await page.$$eval("img:not([alt]), input:not([aria-label])", (all) => all.length), 0);
+}
+
+for (const name of PAGES) {
+  test(`${name} by Tab and for a screen reader: every control in its order, marked, named; charts say what they show`, async () => {
     const { page } = await openWith(name);
-    const charts = await page.$$eval("canvas:not(#scene canvas)", (all) => all.map((canvas) =>
-      [canvas.getAttribute("role"), canvas.getAttribute("aria-label"), canvas.closest("figure").querySelector("h2").textContent]));
-    for (const [role, label, heading] of charts) {
-      assert.equal(role, "img");
-      assert.match(label, /^.+ over .+: .+$/);
-      assert.ok(label.startsWith(heading), label);
-    }
-    assert.ok(charts.some(([, label]) => label.startsWith("Spindle speed, rad/s over time, s: ")), `${charts}`);
-    assert.equal(await page.$$eval("img:not([alt]), input:not([aria-label])", (all) => all.length), 0);
+    await assertChartsAreSpoken(page);
+    assertTabReachesAll(await tabThrough(page));
   });
 }
 

@@ -20,9 +20,15 @@ export async function startBrowser() {
   });
 }
 
+const contexts = [];
+
+/** After each test: a page that stays open goes on drawing beside the next one. */
+export const closePages = () => Promise.all(contexts.splice(0).map((context) => context.close()));
+
 /** Opens a file; `faults` collects errors, warnings of the page's own and every request beyond the file; `onStart` runs in the page before anything of it. */
 export async function openPage(browser, file, { size = DESKTOP, colorScheme = "light", has3d = true, onStart } = {}) {
   const context = await browser.newContext({ viewport: size, colorScheme });
+  contexts.push(context);
   context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();
   const address = pathToFileURL(file).href;

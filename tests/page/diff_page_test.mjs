@@ -1,8 +1,8 @@
 // The page of a comparison: two recordings over each other with their difference, two results as a table.
 import assert from "node:assert/strict";
 import { statSync } from "node:fs";
-import { after, before, test } from "node:test";
-import { DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
+import { after, afterEach, before, test } from "node:test";
+import { closePages, DESKTOP, openPage, startBrowser, TABLET } from "./browser.mjs";
 import { columnOf, hover, inkOf, pageSeries, shownTime, waitForCharts } from "./charts.mjs";
 import { Folder, tableOf } from "./program.mjs";
 
@@ -47,6 +47,7 @@ before(async () => {
   assert.equal(diff("results", "replay_a.json", "replay_b.json", "--rel-tol", "0.001"), 1);
   browser = await startBrowser();
 });
+afterEach(closePages);
 after(async () => {
   await browser?.close();
   folder?.remove();

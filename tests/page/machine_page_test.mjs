@@ -1,7 +1,7 @@
 // The machine in 3-D on the page of a recording: it stands where the recording has it at the time of the cursor.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { openPage, startBrowser } from "./browser.mjs";
+import { after, afterEach, before, test } from "node:test";
+import { closePages, openPage, startBrowser } from "./browser.mjs";
 import { columnOf, hover, pageSeries, waitForCharts } from "./charts.mjs";
 import { clock, pictureOf, seek } from "./scene.mjs";
 import { Folder, tableOf } from "./program.mjs";
@@ -34,6 +34,7 @@ before(async () => {
       "--progress", "off");
   browser = await startBrowser();
 });
+afterEach(closePages);
 after(async () => {
   await browser?.close();
   folder?.remove();

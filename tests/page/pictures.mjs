@@ -28,9 +28,14 @@ function placeOf([section, word]) {
   return { x, y, width: right - x, height: end - y };
 }
 
-async function take(page, part, path) {
+async function find(page, part) {
   const at = await page.evaluate(placeOf, part.split(":"));
   if (!at) throw new Error(`the page has no part '${part}'`);
+  return at;
+}
+
+async function take(page, part, path) {
+  const at = await find(page, part);
   await page.screenshot({ path, fullPage: true, clip: { ...at, y: at.y - MARGIN_PX } });
   console.log(path);
 }
@@ -41,6 +46,8 @@ mkdirSync(folder, { recursive: true });
 const browser = await startBrowser();
 try {
   const { page, faults } = await openPage(browser, resolve(file), { size: SIZE });
+  // What is not there is said before anything is drawn.
+  for (const part of parts) await find(page, part);
   await page.waitForFunction(() =>
     [...document.querySelectorAll(".slot")].every((slot) => slot.querySelector("canvas")));
   // The bar with the buttons follows the reader and would cover what is below it.

@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 const here = dirname(fileURLToPath(import.meta.url));
 process.env.MOREPRO_PAGE_MODULES ??= resolve(here, "../../build/host/tests/page/node_modules");
 process.env.MOREPRO_BROWSER ??= "/usr/bin/chromium";
-const { openPage, startBrowser } = await import("./browser.mjs");
+const { closePages, openPage, startBrowser } = await import("./browser.mjs");
 
 const TIMES = 5;
 const LIMIT_MS = 1000;
@@ -45,7 +45,7 @@ try {
     const { page } = await openPage(browser, file, { onStart: watch });
     await page.waitForFunction(() => globalThis.times.all);
     runs.push(await page.evaluate(() => globalThis.times));
-    await page.context().close();
+    await closePages();
   }
   const of = (name) => Math.round(median(runs.map((run) => run[name])));
   console.log(`${(statSync(file).size / 1e6).toFixed(2)} MB: answers after ${of("answers")} ms, first chart after ` +
