@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "sim_host/diagnose/balance_rows.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/input_news.hpp"
-#include "sim_host/diagnose/share_closed.hpp"
 #include "sim_host/diagnose/where.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -55,8 +55,8 @@ AxisFit without(const AxisDiagnosis& diagnosis, std::size_t index) {
   return fit;
 }
 
-/// Names that keep too little of their evidence beside noise that lasts, the least first.
-std::vector<std::size_t> doubtful_beside_lasting_noise(AxisDiagnosis& diagnosis) {
+/// Of the names that keep too little of their evidence beside noise that lasts, the one that keeps least.
+std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& diagnosis) {
   const std::size_t count = diagnosis.found.size();
   std::vector<double> deviance(count + 1);
   in_parallel(count + 1, [&](std::size_t i) {
@@ -64,7 +64,7 @@ std::vector<std::size_t> doubtful_beside_lasting_noise(AxisDiagnosis& diagnosis)
     deviance[i] = fit.refit_beside_lasting_noise();
   });
   const auto rows = static_cast<double>(diagnosis.fit.signals().rows);
-  std::vector<std::size_t> doubtful;
+  std::optional<std::size_t> doubtful;
   for (std::size_t i = 0; i < count; ++i) {
     Finding& finding = diagnosis.found[i];
     if (diagnosis.needed(finding, kChance) < kChance) continue;  // another one states it along
@@ -72,38 +72,10 @@ std::vector<std::size_t> doubtful_beside_lasting_noise(AxisDiagnosis& diagnosis)
     finding.kept = left / std::max(finding.evidence, kChance);
     const bool is_little = finding.kept < kLeastKept || (finding.kept < kSmallShare && left < kMuch * rows);
     const bool is_noise = is_little || left < kMostOfNoise * rows;
-    if (is_noise && finding.kept < kUsuallyKept) doubtful.push_back(i);
+    const bool is_least = !doubtful || finding.kept < diagnosis.found[*doubtful].kept;
+    if (is_noise && finding.kept < kUsuallyKept && is_least) doubtful = i;
   }
-  std::stable_sort(doubtful.begin(), doubtful.end(), [&diagnosis](std::size_t a, std::size_t b) {
-    return diagnosis.found[a].kept < diagnosis.found[b].kept;
-  });
   return doubtful;
-}
-
-/// Do the names close the gap in pieces that they were not fitted to? What wanders by itself does not follow
-/// them there.
-bool close_gap(const AxisDiagnosis& diagnosis) {
-  const std::vector<BalanceRows> rows = balance_rows(diagnosis);
-  const std::vector<UnnamedPower> unnamed(rows.size(), {.found = 0.0, .unseen = kUnseen});
-  Shrinkage shrinkage;
-  share_closed(rows, unnamed, 1, shrinkage);
-  return is_nearly_closed(shrinkage);
-}
-
-/// The most doubtful name without which the gap is no more open than with it. Was there any?
-bool drop_one_beside_lasting_noise(AxisDiagnosis& diagnosis) {
-  const std::vector<std::size_t> doubtful = doubtful_beside_lasting_noise(diagnosis);
-  const bool is_closed = !doubtful.empty() && close_gap(diagnosis);
-  for (const std::size_t index : doubtful) {
-    AxisDiagnosis others = diagnosis;
-    std::vector<char> is_noise(diagnosis.found.size(), 0);
-    is_noise[index] = 1;
-    drop(others, is_noise);
-    if (is_closed && !close_gap(others)) continue;
-    diagnosis = std::move(others);
-    return true;
-  }
-  return false;
 }
 
 /// A lag or a delay.
@@ -124,13 +96,17 @@ bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
   return true;
 }
 
-// One after the other: a right name keeps little beside a wrong one. Of what changes slowly, 24 samples
-// predict nearly all at a high rate: a name without which the gap is open again stays.
+// One after the other: a right name keeps little beside a wrong one.
 bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis) {
   // Of a thinned recording what remembers itself is structure.
   if (diagnosis.fit.signals().is_thinned) return false;
   bool has_changed = false;
-  while (drop_one_beside_lasting_noise(diagnosis)) has_changed = true;
+  while (const auto doubtful = most_doubtful_beside_lasting_noise(diagnosis)) {
+    std::vector<char> is_noise(diagnosis.found.size(), 0);
+    is_noise[*doubtful] = 1;
+    drop(diagnosis, is_noise);
+    has_changed = true;
+  }
   return has_changed;
 }
 

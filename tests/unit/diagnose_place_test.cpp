@@ -59,8 +59,7 @@ TEST(Screw, HasHarmonics) {
   EXPECT_NEAR(left_of_feed_force(result), 1.0, 0.05);
 }
 
-// Three times a turn has no name. 24 samples at 10 kHz predict nearly all of a force of 5 Hz, and what is
-// left of it was worth less than noise that lasts may be; the gap closes with it, and is open without.
+// Three times a turn has no name. 24 samples at 10 kHz predict nearly all of a force of 5 Hz.
 TEST(Screw, KeepsItsNameBesideNoiseThatLasts) {
   const auto result =
       diagnosed_with_a_screw({with_parts(Effect::kFeedScrewPeriodic, {kOnceN, 0.0}),
