@@ -115,10 +115,19 @@ bool sets_in_late(const AxisOutcome& outcome) {
 
 /// What more than noise may be worth was dropped: it is there, and has no name.
 void keep_without_name(double deviance, AxisOutcome& outcome) {
-  const double of_noise = kMostOfNoise * static_cast<double>(outcome.diagnosis.fit.signals().rows);
+  const double of_noise = kMuch * static_cast<double>(outcome.diagnosis.fit.signals().rows);
   if (!(deviance > of_noise && deviance > outcome.leftover.gain)) return;
   if (!(outcome.leftover.gain > 0.0)) outcome.leftover.torque_share = 0.5;
   outcome.leftover.gain = deviance;
+}
+
+/// Does what is left remember itself for longer than random forces do? Of these, means over 40 ms know up to
+/// 18 of those before them, of a sensor that wanders within seconds 1300.
+bool wanders(const AxisFit& fit) {
+  constexpr double kLongS = 0.04;
+  constexpr double kMuchOfMeans = 100.0;
+  const auto rows = static_cast<std::size_t>(std::max(kLongS * fit.signals().rate_hz, 1.0));
+  return slowly_predictable_deviance(fit.innovations(), rows) > kMuchOfMeans;
 }
 
 /// What no model of noise expects is there, whether a function without a name follows it or not.
@@ -132,14 +141,14 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   AxisDiagnosis& diagnosis = outcome.diagnosis;
   const bool is_lasting = outcome.noise_evidence > 0.0 && !diagnosis.fit.signals().is_thinned;
   outcome.noise_evidence = noise_evidence;
-  const bool is_chance = drop_what_chance_explains(diagnosis, outcome.threshold());
+  bool has_changed = drop_what_chance_explains(diagnosis, outcome.threshold());
   const double named = outcome.named_deviance();
-  if (drop_what_lasting_noise_explains(diagnosis) || is_chance) {
-    outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
-    keep_without_name(named - outcome.named_deviance(), outcome);
-  }
-  if (drop_what_input_news_explain(diagnosis))
-    outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
+  has_changed |= drop_what_lasting_noise_explains(diagnosis);
+  const double dropped = named - outcome.named_deviance();
+  has_changed |= drop_what_input_news_explain(diagnosis);
+  if (has_changed) outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
+  if (is_lasting_noise(diagnosis.fit, outcome.leftover)) outcome.leftover = {};
+  if (wanders(diagnosis.fit)) keep_without_name(dropped, outcome);
   drop_what_no_balance_shows(diagnosis);
   keep_surprises(outcome);
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/effect_trial.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -16,6 +17,17 @@ namespace {
 // chosen.
 constexpr double kNearlyAsGood = 0.6;
 constexpr std::size_t kMostTrials = 6;  // where those before them turn out to be worth nothing
+
+/// A size that no machine has: what a fit makes of another effect's shape. Beside a friction that the machine
+/// file states, what is missing may have either sign.
+bool is_impossible(const gap::AppliedEffect& effect, const GapModel& model) {
+  const bool is_stated = std::any_of(model.known.begin(), model.known.end(), [&](const auto& known) {
+    return family_of(known.form.effect) == family_of(effect.form.effect);
+  });
+  const bool has_sign = gap::info_of(effect.form.effect).range != gap::SizeRange::kAnySign ||
+                        (only_brakes(effect.form.effect) && !is_stated);
+  return has_sign && effect.coefficient[0] < 0.0;
+}
 
 class Duel {
  public:
@@ -61,7 +73,9 @@ class Duel {
     rival = trial.candidate;
     rival.evidence = without_.everywhere - trial.fit.unlikeliness() -
                      freedom_cost(trial.fit, trial.fit.model().effects.back());
-    if (!std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
+    const GapModel& model = trial.fit.model();
+    if (!std::isfinite(rival.evidence) || is_impossible(model.effects.back(), model))
+      rival.evidence = -1.0e300;
     if (!(rival.evidence > best_)) return;
     best_ = rival.evidence;
     kept_ = best_ / rival.promised;

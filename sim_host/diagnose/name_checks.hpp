@@ -1,11 +1,15 @@
 #pragma once
 #include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/leftover.hpp"
 
 namespace morepro::host {
 
 /// Deviance per row that noise that lasts may be worth to a name: right names had 0.005 and more in 623 of
 /// 633 cases on tests/blind, names that random forces of 1 ms had made 0.004 and less.
 inline constexpr double kMostOfNoise = 0.005;
+
+/// More than noise of any kind is worth, even where it keeps next to nothing beside noise that lasts.
+inline constexpr double kMuch = 0.02;
 
 /// Share of its evidence that a right name usually keeps beside noise that may last.
 inline constexpr double kUsuallyKept = 0.33;
@@ -29,5 +33,9 @@ bool drop_what_input_news_explain(AxisDiagnosis& diagnosis);
 /// Names of an axis that are worth little per row and that none of its balances shows: where random forces
 /// are none, what a solver does differently within a step is worth as much. A lag of more than a step is not.
 bool drop_what_no_balance_shows(AxisDiagnosis& diagnosis);
+
+/// Are the functions without a name, as names may be, worth hardly anything any more where the innovations
+/// before may predict the next one? Lines are not: noise has none.
+bool is_lasting_noise(const AxisFit& fit, const Leftover& leftover);
 
 }  // namespace morepro::host

@@ -1,6 +1,7 @@
 #include "sim_host/diagnose/nominal_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,8 +15,9 @@ namespace {
 constexpr double kSame = 20.0;            // deviance by which two ways to the same fit may differ
 constexpr double kBeyondAnyEffect = 0.1;  // deviance per row that no effect makes up for
 // As a share of the sensor's: an observer that trusts its sensors looks one step ahead, where wrong
-// parameters are hardly more than a linear regression has them.
-constexpr double kOneStepNoise = 0.3;
+// parameters are hardly more than a linear regression has them. The larger one for random forces that move an
+// axis by more than its sensors' noise from row to row.
+constexpr std::array kOneStepNoise{0.3, 3.0};
 
 /// Where the machine file states a dry friction, an axis may be held or let go a moment before it says so: an
 /// observer that expects nothing of the kind remembers it for seconds.
@@ -24,6 +26,21 @@ void allow_little_noise(AxisFit& fit) {
   if (std::none_of(known.begin(), known.end(),
                    [](const gap::AppliedEffect& one) { return gap::is_dry_friction(one.form.effect); }))
     fit.allow_little_noise();
+}
+
+/// Innovations of which as much as `new_share` is new, and not more than `scale` as large as expected.
+bool leaves_noise(const AxisFit& fit, double new_share, double scale) {
+  const Whitening& whitening = fit.whitening();
+  return std::all_of(whitening.begin(), whitening.end(), [=](const SensorWhitening& sensor) {
+    return sensor.left > new_share && std::max(sensor.scale[0], sensor.scale[1]) < scale;
+  });
+}
+
+/// Nothing is left to be desired.
+bool leaves_white_noise(const AxisFit& fit) {
+  constexpr double kNew = 0.9;
+  constexpr double kAsExpected = 1.2;
+  return leaves_noise(fit, kNew, kAsExpected);
 }
 
 void noise_first(AxisFit& fit) {
@@ -38,8 +55,8 @@ void parameters_first(AxisFit& fit) {
   fit.settle();
 }
 
-void one_step_first(AxisFit& fit) {
-  expect_process_noise(kOneStepNoise, fit.model().noise);
+void one_step_first(AxisFit& fit, double noise) {
+  expect_process_noise(noise, fit.model().noise);
   fit.refit();
   fit.settle();
   allow_little_noise(fit);
@@ -48,10 +65,13 @@ void one_step_first(AxisFit& fit) {
 
 /// From afar, where the other ways have not come to an end that leaves noise only, and this one does.
 void begin_with_one_step(const AxisFit& start, AxisFit& best) {
-  AxisFit fit = start;
-  fit.narrow_down();
-  one_step_first(fit);
-  if (leaves_noise(fit) && fit.unlikeliness() < best.unlikeliness()) best = std::move(fit);
+  std::array<AxisFit, kOneStepNoise.size()> fits{start, start};
+  in_parallel(fits.size(), [&](std::size_t i) {
+    fits[i].narrow_down();
+    one_step_first(fits[i], kOneStepNoise[i]);
+  });
+  for (AxisFit& fit : fits)
+    if (leaves_noise(fit) && fit.unlikeliness() < best.unlikeliness()) best = std::move(fit);
 }
 
 AxisFit with_model_of(const AxisFit& other, AxisFit fit) {
@@ -65,10 +85,7 @@ AxisFit with_model_of(const AxisFit& other, AxisFit fit) {
 bool leaves_noise(const AxisFit& fit) {
   constexpr double kMostlyNew = 0.5;
   constexpr double kAsExpected = 1.5;
-  const Whitening& whitening = fit.whitening();
-  return std::all_of(whitening.begin(), whitening.end(), [](const SensorWhitening& sensor) {
-    return sensor.left > kMostlyNew && std::max(sensor.scale[0], sensor.scale[1]) < kAsExpected;
-  });
+  return leaves_noise(fit, kMostlyNew, kAsExpected);
 }
 
 std::vector<AxisFit> nominal_fits(const AxisFit& start) {
@@ -78,7 +95,7 @@ std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   other.narrow_down();
   in_parallel(2, [&](std::size_t i) { i == 0 ? noise_first(best) : parameters_first(other); });
   if (other.unlikeliness() < best.unlikeliness()) std::swap(best, other);
-  if (!leaves_noise(best)) begin_with_one_step(start, best);
+  if (!leaves_white_noise(best)) begin_with_one_step(start, best);
   const bool are_same = !(other.unlikeliness() - best.unlikeliness() > kSame);
   best.widen();
   other.widen();

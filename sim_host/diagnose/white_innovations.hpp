@@ -15,4 +15,8 @@ std::vector<float> white_innovations(const GapStatistics& statistics, std::size_
 /// this, and in closed loop any function of the machine's motion may take some of it.
 double predictable_deviance(const GapStatistics& statistics);
 
+/// The same of means over `rows` innovations each, from the three before: noise of short memory leaves next
+/// to nothing there, what wanders does.
+double slowly_predictable_deviance(const GapStatistics& statistics, std::size_t rows);
+
 }  // namespace morepro::host

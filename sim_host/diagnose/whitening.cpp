@@ -11,7 +11,7 @@ constexpr std::size_t kFewestToWhiten = 400;  // for nine coefficients and two s
 constexpr float kLargestNormalised = 6.0F;
 constexpr double kNegligible = 0.02;  // of a memory: costs more than it whitens
 
-double scale_of(std::span<const float> normalised, const std::vector<bool>& in_contact, bool contact) {
+double mean_square_of(std::span<const float> normalised, const std::vector<bool>& in_contact, bool contact) {
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < normalised.size(); ++i) {
@@ -19,7 +19,20 @@ double scale_of(std::span<const float> normalised, const std::vector<bool>& in_c
     sum += static_cast<double>(normalised[i]) * static_cast<double>(normalised[i]);
     ++count;
   }
-  return count < kFewestToWhiten ? 0.0 : std::sqrt(sum / static_cast<double>(count));
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+/// Free and in contact. A state that is seldom has no scale of its own, and counts: its rows may be those that
+/// a wrong model misses most.
+std::array<double, 2> scales_of(std::span<const float> normalised, const std::vector<bool>& in_contact) {
+  const auto cut = static_cast<std::size_t>(std::count(in_contact.begin(), in_contact.end(), true));
+  const double free = mean_square_of(normalised, in_contact, false);
+  const double contact = mean_square_of(normalised, in_contact, true);
+  if (cut >= kFewestToWhiten && normalised.size() - cut >= kFewestToWhiten)
+    return {std::sqrt(free), std::sqrt(contact)};
+  const double share = static_cast<double>(cut) / static_cast<double>(normalised.size());
+  const double all = std::sqrt((1.0 - share) * free + share * contact);
+  return {all, all};
 }
 
 std::vector<float> scaled(std::span<const float> normalised, const std::vector<bool>& in_contact,
@@ -53,11 +66,9 @@ SensorWhitening whitening_of(std::span<const float> normalised, const std::vecto
   constexpr auto kCount = static_cast<Eigen::Index>(kLags.size());
   SensorWhitening whitening;
   if (normalised.size() < kFewestToWhiten) return whitening;
-  const double free = scale_of(normalised, in_contact, false);
-  const double contact = scale_of(normalised, in_contact, true);
-  const double known = free > 0.0 ? free : contact;
-  if (!(known > 0.0)) return whitening;
-  whitening.scale = {free > 0.0 ? free : known, contact > 0.0 ? contact : known};
+  const std::array<double, 2> scale = scales_of(normalised, in_contact);
+  if (!(scale[0] > 0.0 && scale[1] > 0.0)) return whitening;
+  whitening.scale = scale;
   if (!may_remember) return whitening;
   const auto values = scaled(normalised, in_contact, whitening.scale);
   const auto covariance = autocovariance(values, kLags.back());

@@ -133,6 +133,23 @@ TEST(Whitening, IsNotEstimatedFromAFewSamples) {
   EXPECT_EQ(whitening_of(statistics)[0].left, 1.0);
 }
 
+// A hundred samples in the air, twenty times as large as those in contact: a model that is wrong there may not
+// pass for one that is right.
+TEST(Whitening, CountsASeldomStateAlong) {
+  GapStatistics statistics;
+  const auto drawn = white(13, 10000);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const bool contact = i >= 100;
+    statistics.normalised[0].push_back((contact ? 1.0F : 20.0F) * drawn[i]);
+    statistics.in_contact[0].push_back(contact);
+  }
+  const SensorWhitening found = whitening_of(statistics)[0];
+  const double pooled = std::sqrt(0.99 + 0.01 * 400.0);
+  // A hundred squares spread by a seventh, and are four fifths of the sum: five standard errors of the scale.
+  EXPECT_NEAR(found.scale[1], pooled, 5.0 * pooled * 0.5 * 0.8 / 7.0);
+  EXPECT_EQ(found.scale[0], found.scale[1]);
+}
+
 TEST(Whitening, DoesNotTakeItsMemoryFromAFewOutliers) {
   auto statistics = remembering(100000);
   for (std::size_t i = 500; i < 100000; i += 10000) statistics.normalised[0][i] = 2000.0F;

@@ -1,0 +1,42 @@
+// Random loads, feed forces and a supply's ripple of a millisecond's memory, two and four times what the sensors
+// show of it, in production, where hardly anything else moves the machine: no cause of any kind.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+struct ShakenCase {
+  double rate_hz;
+  double process_noise;
+  std::uint64_t seed;
+  const char* was;
+};
+
+class RandomForces : public testing::TestWithParam<ShakenCase> {};
+
+TEST_P(RandomForces, HaveNoName) {
+  const auto [rate_hz, process_noise, seed, was] = GetParam();
+  const auto result = diagnosed(record({.duration_s = 50000.0 / rate_hz,
+                                        .rate_hz = rate_hz,
+                                        .seed = seed,
+                                        .profile = host::ProfileKind::kProduction,
+                                        .process_noise = process_noise}),
+                                datasheet(0.2));
+  EXPECT_EQ(result.verdict, host::Verdict::kParameterError) << said(result) << "; it was " << was;
+}
+
+// One recording for each fault that let them have one.
+INSTANTIATE_TEST_SUITE_P(
+    Recordings, RandomForces,
+    testing::Values(ShakenCase{2500.0, 2.0, 2, "unexplained: functions that keep nothing beside such noise"},
+                    ShakenCase{2000.0, 2.0, 1, "a bristle of 1.9 +- 10 N"},
+                    ShakenCase{2500.0, 4.0, 2, "a lag, beside parameters that were far off"},
+                    ShakenCase{1000.0, 1.0, 1, "unexplained: few rows without contact did not count"},
+                    ShakenCase{1000.0, 2.0, 3, "unexplained: a name without a size was dropped"}));
+
+}  // namespace
+}  // namespace morepro::diagnose_test
