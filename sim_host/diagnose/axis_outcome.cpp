@@ -122,10 +122,11 @@ void keep_without_name(double deviance, AxisOutcome& outcome) {
 }
 
 /// Does what is left remember itself for longer than random forces do? Of these, means over 40 ms know up to
-/// 18 of those before them, of a sensor that wanders within seconds 1300.
+/// 210 of those before them, of a force that changes every half a second 500, of a sensor that wanders within
+/// seconds 1300.
 bool wanders(const AxisFit& fit) {
   constexpr double kLongS = 0.04;
-  constexpr double kMuchOfMeans = 100.0;
+  constexpr double kMuchOfMeans = 300.0;
   const auto rows = static_cast<std::size_t>(std::max(kLongS * fit.signals().rate_hz, 1.0));
   return slowly_predictable_deviance(fit.innovations(), rows) > kMuchOfMeans;
 }
@@ -147,8 +148,10 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   const double dropped = named - outcome.named_deviance();
   has_changed |= drop_what_input_news_explain(diagnosis);
   if (has_changed) outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
-  if (is_lasting_noise(diagnosis.fit, outcome.leftover)) outcome.leftover = {};
-  if (wanders(diagnosis.fit)) keep_without_name(dropped, outcome);
+  if (wanders(diagnosis.fit))
+    keep_without_name(dropped, outcome);
+  else if (is_lasting_noise(diagnosis.fit, outcome.leftover))
+    outcome.leftover = {};
   drop_what_no_balance_shows(diagnosis);
   keep_surprises(outcome);
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -56,12 +55,12 @@ AxisFit without(const AxisDiagnosis& diagnosis, std::size_t index) {
   return fit;
 }
 
-/// A name's size over its standard error, squared: as much deviance as its own law is worth. A model with the
-/// name may be worth more for another noise beside it: names that random forces had made had up to 11 of up
-/// to 2000, right ones 300 and more.
-double squares_of(const Finding& finding, const AxisFit& fit) {
-  const double error = fit.relative_error_of(finding.effect.form.effect);
-  return error > 0.0 ? 1.0 / (error * error) : std::numeric_limits<double>::infinity();
+/// Is a name's size known to be any? A model with the name may be worth more than one without it for another
+/// noise beside it: names that random forces had made had sizes of up to three standard errors and kept up to
+/// 2000, right ones had 17 and more.
+bool has_size(const Finding& finding, const AxisFit& fit) {
+  constexpr double kLargestError = 0.2;  // of the size
+  return fit.relative_error_of(finding.effect.form.effect) < kLargestError;
 }
 
 /// Of the names that keep too little of their evidence beside noise that lasts, the one that keeps least.
@@ -77,7 +76,7 @@ std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& dia
   for (std::size_t i = 0; i < count; ++i) {
     Finding& finding = diagnosis.found[i];
     if (diagnosis.needed(finding, kChance) < kChance) continue;  // another one states it along
-    const double left = std::min(deviance[i] - deviance[count], squares_of(finding, fits[count]));
+    const double left = has_size(finding, fits[count]) ? deviance[i] - deviance[count] : 0.0;
     finding.kept = left / std::max(finding.evidence, kChance);
     const bool is_little = finding.kept < kLeastKept || (finding.kept < kSmallShare && left < kMuch * rows);
     const bool is_noise = is_little || left < kMostOfNoise * rows;

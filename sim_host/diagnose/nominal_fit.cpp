@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/gap/dry_friction.hpp"
+#include "sim_host/diagnose/effect_trial.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -63,15 +64,21 @@ void one_step_first(AxisFit& fit, double noise) {
   fit.settle(1);
 }
 
-/// From afar, where the other ways have not come to an end that leaves noise only, and this one does.
-void begin_with_one_step(const AxisFit& start, AxisFit& best) {
+/// From afar, where the other ways have not come to an end that leaves noise only, and this one does; the
+/// best of them is the other way then.
+void begin_with_one_step(const AxisFit& start, AxisFit& best, AxisFit& other) {
   std::array<AxisFit, kOneStepNoise.size()> fits{start, start};
   in_parallel(fits.size(), [&](std::size_t i) {
     fits[i].narrow_down();
     one_step_first(fits[i], kOneStepNoise[i]);
   });
-  for (AxisFit& fit : fits)
-    if (leaves_noise(fit) && fit.unlikeliness() < best.unlikeliness()) best = std::move(fit);
+  const AxisFit usual = best;
+  for (AxisFit& fit : fits) {
+    if (!leaves_noise(fit) || (is_bent(fit) && !is_bent(usual))) continue;
+    if (!(fit.unlikeliness() < best.unlikeliness())) continue;
+    best = std::move(fit);
+    other = usual;
+  }
 }
 
 AxisFit with_model_of(const AxisFit& other, AxisFit fit) {
@@ -95,7 +102,7 @@ std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   other.narrow_down();
   in_parallel(2, [&](std::size_t i) { i == 0 ? noise_first(best) : parameters_first(other); });
   if (other.unlikeliness() < best.unlikeliness()) std::swap(best, other);
-  if (!leaves_white_noise(best)) begin_with_one_step(start, best);
+  if (!leaves_white_noise(best)) begin_with_one_step(start, best, other);
   const bool are_same = !(other.unlikeliness() - best.unlikeliness() > kSame);
   best.widen();
   other.widen();
