@@ -73,7 +73,8 @@ std::optional<AxisFit::KnownSize> AxisFit::known_size_of(gap::Effect effect) con
       continue;
     }
     if (column + parts > covariance_.cols()) return std::nullopt;
-    KnownSize known{.size = Eigen::VectorXd::Ones(parts),
+    KnownSize known{.column = column,
+                    .size = Eigen::VectorXd::Ones(parts),
                     .covariance = covariance_.block(column, column, parts, parts)};
     if (!is_pure_shape(one.form))
       known.size = Eigen::Map<const Eigen::VectorXd>(one.coefficient.data(), parts);
@@ -84,8 +85,23 @@ std::optional<AxisFit::KnownSize> AxisFit::known_size_of(gap::Effect effect) con
 
 double AxisFit::relative_error_of(gap::Effect effect) const {
   const auto known = known_size_of(effect);
+  return known ? relative_error_of(*known) : 0.0;
+}
+
+double AxisFit::relative_error_beside_inertia_of(gap::Effect effect) const {
+  auto known = known_size_of(effect);
   if (!known) return 0.0;
-  const double square = known->size.dot(known->covariance.ldlt().solve(known->size));
+  const auto column = static_cast<Eigen::Index>(axis_ == Axis::kSpindle
+                                                    ? static_cast<std::size_t>(gap::SpindleColumn::kInertia)
+                                                    : static_cast<std::size_t>(gap::FeedColumn::kMass));
+  const Eigen::VectorXd along = covariance_.block(known->column, column, known->size.size(), 1);
+  const double variance = covariance_(column, column);
+  if (variance > 0.0) known->covariance -= along * along.transpose() / variance;
+  return relative_error_of(*known);
+}
+
+double AxisFit::relative_error_of(const KnownSize& known) {
+  const double square = known.size.dot(known.covariance.ldlt().solve(known.size));
   return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0;
 }
 

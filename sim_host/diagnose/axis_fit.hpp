@@ -97,6 +97,9 @@ class AxisFit {
   /// By how many times its standard error an effect of the model differs from none, all its parts together,
   /// as one over it; 0 where it is not known.
   [[nodiscard]] double relative_error_of(gap::Effect effect) const;
+  /// The same for a known inertia or mass: a spindle without a load that is known turns the same with all its
+  /// torques larger, and has friction all the same.
+  [[nodiscard]] double relative_error_beside_inertia_of(gap::Effect effect) const;
   /// Standard error of the size that is stated for it, as a share of the size; 0 where it is not known.
   [[nodiscard]] double relative_size_error_of(gap::Effect effect) const;
 
@@ -132,10 +135,12 @@ class AxisFit {
   /// What the parts of an effect of the model are multiplied by, 1 where the shape is the size, and how well
   /// they are known.
   struct KnownSize {
+    Eigen::Index column;  ///< first of its covariance
     Eigen::VectorXd size;
     Eigen::MatrixXd covariance;
   };
   [[nodiscard]] std::optional<KnownSize> known_size_of(gap::Effect effect) const;
+  [[nodiscard]] static double relative_error_of(const KnownSize& known);
   [[nodiscard]] Trial tried() const;
   void look_at(std::vector<Stretch> stretches) {
     stretches_ = std::move(stretches);

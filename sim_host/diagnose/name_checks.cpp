@@ -60,7 +60,7 @@ AxisFit without(const AxisDiagnosis& diagnosis, std::size_t index) {
 /// 2000, right ones had 17 and more.
 bool has_size(const Finding& finding, const AxisFit& fit) {
   constexpr double kLargestError = 0.2;  // of the size
-  return fit.relative_error_of(finding.effect.form.effect) < kLargestError;
+  return fit.relative_error_beside_inertia_of(finding.effect.form.effect) < kLargestError;
 }
 
 /// Of the names that keep too little of their evidence beside noise that lasts, the one that keeps least.
