@@ -6,6 +6,7 @@
 #include "lib/gap/dry_friction.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/newest_effect.hpp"
+#include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -13,6 +14,13 @@ namespace {
 
 constexpr double kBent = 0.6;     // relative deviation of a parameter that no datasheet has
 constexpr float kNoWider = 1.0F;  // share of the shape that a linearisation shows
+
+// Of the evidence that a linearisation promises for all of a recording: what a part of a quarter of it shows
+// at least where a trial has come to its end.
+constexpr double kKept = 0.1;
+// As a share of the sensor's: one step ahead parameters and sizes are hardly more than a linear regression
+// has them, wherever they begin.
+constexpr double kOneStepNoise = 3.0;
 
 /// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
 /// delay has no such beginning; it starts with the size that was found.
@@ -36,8 +44,14 @@ AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const Axi
     trials[i].model().effects.push_back(beginning_of(candidate));
     trials[i].settle_roughly(kDuelRounds, without);
   });
-  const bool is_better_anew = trials.back().unlikeliness() < trials.front().unlikeliness();
-  return is_better_anew ? trials.back() : trials.front();
+  AxisFit best =
+      trials.back().unlikeliness() < trials.front().unlikeliness() ? trials.back() : trials.front();
+  if (without.in_part - best.unlikeliness() > kKept * candidate.evidence) return best;
+  AxisFit trusting = at_datasheet(fit);
+  trusting.model().effects.push_back(beginning_of(candidate));
+  expect_process_noise(kOneStepNoise, trusting.model().noise);
+  trusting.settle_roughly(kDuelRounds, without);
+  return trusting.unlikeliness() < best.unlikeliness() ? trusting : best;
 }
 
 }  // namespace
