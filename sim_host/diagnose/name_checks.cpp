@@ -55,6 +55,12 @@ AxisFit without(const AxisDiagnosis& diagnosis, std::size_t index) {
   return fit;
 }
 
+/// `left`: deviance beside noise that lasts, a share `kept` of what it was without.
+bool keeps_too_little(double left, double kept, double rows) {
+  const bool is_little = kept < kLeastKept || (kept < kSmallShare && left < kMuch * rows);
+  return (is_little || left < kMostOfNoise * rows) && kept < kUsuallyKept;
+}
+
 /// Is a name's size known to be any? A model with the name may be worth more than one without it for another
 /// noise beside it: names that random forces had made had sizes of up to three standard errors and kept up to
 /// 2000, right ones had 17 and more.
@@ -78,10 +84,8 @@ std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& dia
     if (diagnosis.needed(finding, kChance) < kChance) continue;  // another one states it along
     const double left = has_size(finding, fits[count]) ? deviance[i] - deviance[count] : 0.0;
     finding.kept = left / std::max(finding.evidence, kChance);
-    const bool is_little = finding.kept < kLeastKept || (finding.kept < kSmallShare && left < kMuch * rows);
-    const bool is_noise = is_little || left < kMostOfNoise * rows;
     const bool is_least = !doubtful || finding.kept < diagnosis.found[*doubtful].kept;
-    if (is_noise && finding.kept < kUsuallyKept && is_least) doubtful = i;
+    if (keeps_too_little(left, finding.kept, rows) && is_least) doubtful = i;
   }
   return doubtful;
 }
@@ -121,14 +125,16 @@ bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis) {
 // On tests/blind functions kept half of it and more where the cause has no name; random forces of 2 ms, of
 // another simulator, left them a hundredth of 0.005 to 0.011 per row.
 bool is_lasting_noise(const AxisFit& fit, const Leftover& leftover) {
-  const double much = kMuch * static_cast<double>(fit.signals().rows);
-  if (leftover.functions.empty() || !leftover.lines.empty() || leftover.by_functions >= much) return false;
+  const auto rows = static_cast<double>(fit.signals().rows);
+  const double taken = leftover.by_functions;
+  if (leftover.functions.empty() || !leftover.lines.empty() || taken >= kMuch * rows) return false;
   if (fit.signals().is_thinned) return false;
   std::array<AxisFit, 2> fits{fit, fit};
   for (const gap::EffectForm& form : leftover.functions) fits[1].model().effects.push_back({.form = form});
   std::array<double, 2> deviance{};
   in_parallel(fits.size(), [&](std::size_t i) { deviance[i] = fits[i].refit_beside_lasting_noise(); });
-  return deviance[0] - deviance[1] < kSmallShare * leftover.by_functions;
+  const double left = deviance[0] - deviance[1];
+  return keeps_too_little(left, left / taken, rows);
 }
 
 bool drop_what_input_news_explain(AxisDiagnosis& diagnosis) {
