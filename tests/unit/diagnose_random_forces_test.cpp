@@ -1,5 +1,5 @@
-// Random loads, feed forces and a supply's ripple of a millisecond's memory, two and four times what the sensors
-// show of it, in production, where hardly anything else moves the machine: no cause of any kind.
+// Random loads, feed forces and a supply's ripple of a millisecond's memory, two and four times what the
+// sensors show of it, in production, where hardly anything else moves the machine: no cause of any kind.
 #include <gtest/gtest.h>
 
 #include <string>
