@@ -2,7 +2,7 @@
 // sensors show of it, in production, where hardly anything else moves the machine: no cause of any kind.
 #include <gtest/gtest.h>
 
-#include <string>
+#include <ostream>
 
 #include "sim_host/simulate/datasheet.hpp"
 #include "tests/unit/diagnose_support.hpp"
@@ -16,6 +16,10 @@ struct ShakenCase {
   std::uint64_t seed;
   const char* was;
 };
+
+void PrintTo(const ShakenCase& shaken, std::ostream* out) {
+  *out << shaken.rate_hz << " Hz, process noise " << shaken.process_noise << ", seed " << shaken.seed;
+}
 
 /// Off by a fifth, as `simulate --datasheet-error 0.2` writes it.
 MachineDescription wrong_datasheet(std::uint64_t seed) {
