@@ -131,6 +131,16 @@ bool wanders(const AxisFit& fit) {
   return slowly_predictable_deviance(fit.innovations(), rows) > kMuchOfMeans;
 }
 
+/// `dropped`: deviance of the names that lasting noise explains.
+void tell_wandering_from_noise(double dropped, AxisOutcome& outcome) {
+  const AxisFit& fit = outcome.diagnosis.fit;
+  if (!(dropped > 0.0) && outcome.leftover.functions.empty()) return;
+  if (wanders(fit))
+    keep_without_name(dropped, outcome);
+  else if (is_lasting_noise(fit, outcome.leftover))
+    outcome.leftover = {};
+}
+
 /// What no model of noise expects is there, whether a function without a name follows it or not.
 void keep_surprises(AxisOutcome& outcome) {
   const Surprises surprises = surprises_of(outcome.diagnosis.fit);
@@ -148,10 +158,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   const double dropped = named - outcome.named_deviance();
   has_changed |= drop_what_input_news_explain(diagnosis);
   if (has_changed) outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
-  if (wanders(diagnosis.fit))
-    keep_without_name(dropped, outcome);
-  else if (is_lasting_noise(diagnosis.fit, outcome.leftover))
-    outcome.leftover = {};
+  tell_wandering_from_noise(dropped, outcome);
   drop_what_no_balance_shows(diagnosis);
   keep_surprises(outcome);
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();

@@ -18,9 +18,6 @@ constexpr float kNoWider = 1.0F;  // share of the shape that a linearisation sho
 // Of the evidence that a linearisation promises for all of a recording: what a part of a quarter of it shows
 // at least where a trial has come to its end.
 constexpr double kKept = 0.1;
-// As a share of the sensor's: one step ahead parameters and sizes are hardly more than a linear regression
-// has them, wherever they begin.
-constexpr double kOneStepNoise = 3.0;
 
 /// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
 /// delay has no such beginning; it starts with the size that was found.
@@ -49,7 +46,7 @@ AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const Axi
   if (without.in_part - best.unlikeliness() > kKept * candidate.evidence) return best;
   AxisFit trusting = at_datasheet(fit);
   trusting.model().effects.push_back(beginning_of(candidate));
-  expect_process_noise(kOneStepNoise, trusting.model().noise);
+  expect_process_noise(kTrustingNoiseShare, trusting.model().noise);
   trusting.settle_roughly(kDuelRounds, without);
   return trusting.unlikeliness() < best.unlikeliness() ? trusting : best;
 }

@@ -9,6 +9,10 @@ namespace morepro::host {
 /// observer remembers some hundred samples.
 inline constexpr double kUsualNoiseShare = 0.01;
 inline constexpr double kLittleNoiseShare = 1.0e-4;
+/// With this one it trusts its sensors: one step ahead parameters and sizes are hardly more than a linear
+/// regression has them, wherever they begin, and random forces may move an axis by more than its sensors'
+/// noise.
+inline constexpr double kTrustingNoiseShare = 3.0;
 
 /// Sensor variances of the machine file, and the usual process noise.
 gap::GapNoise<double> usual_noise(const Sensors& sensors);

@@ -16,9 +16,8 @@ namespace {
 constexpr double kSame = 20.0;            // deviance by which two ways to the same fit may differ
 constexpr double kBeyondAnyEffect = 0.1;  // deviance per row that no effect makes up for
 // As a share of the sensor's: an observer that trusts its sensors looks one step ahead, where wrong
-// parameters are hardly more than a linear regression has them. The larger one for random forces that move an
-// axis by more than its sensors' noise from row to row.
-constexpr std::array kOneStepNoise{0.3, 3.0};
+// parameters are hardly more than a linear regression has them.
+constexpr std::array kOneStepNoise{0.3, kTrustingNoiseShare};
 
 /// Where the machine file states a dry friction, an axis may be held or let go a moment before it says so: an
 /// observer that expects nothing of the kind remembers it for seconds.

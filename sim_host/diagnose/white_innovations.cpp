@@ -46,6 +46,13 @@ std::vector<float> means_of(std::span<const float> values, std::size_t rows) {
   return means;
 }
 
+PerSensor whitened(const GapStatistics& statistics) {
+  const Whitening whitening = whitening_of(statistics);
+  PerSensor white;
+  for (std::size_t i = 0; i < kSensorsPerAxis; ++i) white[i] = white_innovations(statistics, i, whitening[i]);
+  return white;
+}
+
 }  // namespace
 
 std::vector<float> white_innovations(const GapStatistics& statistics, std::size_t sensor,
@@ -66,17 +73,6 @@ std::vector<float> white_innovations(const GapStatistics& statistics, std::size_
   }
   return values;
 }
-
-namespace {
-
-PerSensor whitened(const GapStatistics& statistics) {
-  const Whitening whitening = whitening_of(statistics);
-  PerSensor white;
-  for (std::size_t i = 0; i < kSensorsPerAxis; ++i) white[i] = white_innovations(statistics, i, whitening[i]);
-  return white;
-}
-
-}  // namespace
 
 double predictable_deviance(const GapStatistics& statistics) {
   constexpr std::size_t kLags = SensorWhitening::kLags.back();
