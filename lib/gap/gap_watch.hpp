@@ -50,6 +50,7 @@ class GapWatch {
     if (frame.has_feed_speed) feed_speed_m_s_ = frame.feed_speed_m_s;
     if (is_resting()) return rest(speed_rad_s_, feed_speed_m_s_, frame.input.contact);
     if (frame.has_angle) angle_rad_ = frame.angle_rad;
+    if (frame.has_feed_position && !has_origin_) count_positions_near(frame.feed_position_m);
     stretch_[phase_] = located(frame);
     move_on(frame.input.contact);
   }
@@ -137,6 +138,20 @@ class GapWatch {
     return here;
   }
 
+  // From one place for all stretches, of other watches of the machine too, wherever they begin: the screw's
+  // turn is the same one then. Not from zero: far from there a float is coarser than a sensor.
+  void count_positions_near(Real position_m) {
+    constexpr Real kTurns = 64;
+    constexpr Real kFewCells = 1.0e6;  // as whole numbers and as floats
+    const Real turn_rad_m = feed_.observer().terms().scales().per_screw_turn_rad_m;
+    const Real cell_m = turn_rad_m > Real(0) ? kTurns * kTurnRad / turn_rad_m : Real(0.5);
+    const Real cells = position_m / cell_m;
+    const bool is_near = math::abs(cells) < kFewCells;
+    feed_.observer().count_positions_from(is_near ? cell_m * static_cast<Real>(static_cast<int>(cells))
+                                                  : position_m);
+    has_origin_ = true;
+  }
+
   [[nodiscard]] bool has_rows_to_use() const {
     return seen_ < kPieces || spindle_.is_turning() || feed_.is_turning();
   }
@@ -217,6 +232,7 @@ class GapWatch {
   Real feed_speed_m_s_ = 0;
   Real angle_rad_ = 0;
   Real position_m_ = 0;
+  bool has_origin_ = false;
   std::uint32_t cutting_frames_ = 0;
   std::uint32_t random_ = 1;
   std::size_t cycle_ = kShortestCycle;

@@ -26,6 +26,10 @@ class GapWatchAxis {
   using Evaluation = GapWatchEvaluation<Real, kParameters, kForms + MachineForms::kMost, kColumns>;
   using Statistics = typename Evaluation::Statistics;
 
+  /// Rows at which the statistics fade. A further row then changes the triangle by 8e-6 of its size: a hundred
+  /// times a float's last bit.
+  static constexpr std::size_t kMostRows = 65536;
+
   /// `spread`: standard deviation of each parameter column, as well as the datasheet knows it.
   [[gnu::cold]] GapWatchAxis(const MachineParameters& machine, const ReferencePoint& point, double step_s,
                              const GapNoise<Real>& noise, const std::array<BoardForm, kForms>& forms,
@@ -84,8 +88,6 @@ class GapWatchAxis {
   static constexpr Real kImpossible = Real(1.0e6);
   // Squares of columns stay in a float; NaN is not below it either.
   static constexpr Real kLargest = Real(1.0e15);
-  // A further row then changes the triangle by 8e-6 of its size: a hundred times a float's last bit.
-  static constexpr std::size_t kMostRows = 65536;
 
   void take(const typename Observer::Row& row) {
     if (!row.is_measured) return;

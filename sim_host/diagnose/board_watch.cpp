@@ -104,6 +104,19 @@ void allow(float excitation, gap::GapLimits& limits) {
     limits.excitation = std::min(limits.excitation, kMargin * static_cast<double>(excitation));
 }
 
+/// Lifts what an effect needs above what the best form of an axis without one takes. Noise that lasts gives
+/// each row its share of that, and a watch that goes on has up to `kMostRows` of them.
+template <class Axis>
+void calm(const Axis& axis, gap::GapLimits& limits) {
+  constexpr double kMargin = 1.25;
+  const gap::GapFinding& finding = axis.evaluation().finding();
+  const bool is_alarmed = finding.verdict == GapVerdict::kEffect || finding.verdict == GapVerdict::kUnexplained;
+  const double evidence = static_cast<double>(finding.evidence);
+  if (!is_alarmed || !(evidence > limits.evidence)) return;
+  const auto rows = static_cast<double>(axis.statistics().rows());
+  limits.evidence = kMargin * evidence * std::max(1.0, static_cast<double>(Axis::kMostRows) / rows);
+}
+
 /// `rate_hz`: of the frames.
 gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rate_hz,
                                const MachineParameters& machine, const BoardSight& sight,
@@ -121,13 +134,20 @@ gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rat
   auto all = new_watch();
   for (const auto& part : parts) all->merge(*part);
   all->finish();
+  const auto judge_again = [&] {
+    auto judged = new_watch();
+    judged->merge(*all);
+    judged->finish();
+    all = std::move(judged);
+  };
   if (!sight.is_excited) return all->finding();
   allow(all->spindle().evaluation().excitation(), settings.spindle);
   allow(all->feed().evaluation().excitation(), settings.feed);
-  const auto judged = new_watch();
-  judged->merge(*all);
-  judged->finish();
-  return judged->finding();
+  judge_again();
+  if (sight.is_spindle_quiet) calm(all->spindle(), settings.spindle);
+  if (sight.is_feed_quiet) calm(all->feed(), settings.feed);
+  judge_again();
+  return all->finding();
 }
 
 }  // namespace
@@ -139,7 +159,10 @@ gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachinePar
   const std::vector<BoardFrame> frames = board_frames(signals, datasheet);
   const gap::GapFinding found = found_on_board(frames, signals.rate_hz, refitted, sight, settings);
   if (found.verdict != GapVerdict::kNoGap && found.verdict != GapVerdict::kParameterError) return found;
-  gap::GapFinding by_datasheet = found_on_board(frames, signals.rate_hz, datasheet, sight, settings);
+  // Beside wrong values everything looks like something.
+  BoardSight of_values = sight;
+  of_values.is_spindle_quiet = of_values.is_feed_quiet = false;
+  gap::GapFinding by_datasheet = found_on_board(frames, signals.rate_hz, datasheet, of_values, settings);
   // What other values explain is no effect, whatever it looks like beside wrong ones.
   if (by_datasheet.verdict != GapVerdict::kNoGap) by_datasheet.verdict = GapVerdict::kParameterError;
   return by_datasheet;

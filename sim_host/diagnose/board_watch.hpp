@@ -10,6 +10,8 @@ struct BoardSight {
   double since_s = 0.0;     ///< what it has seen before has faded: a cause that sets in then is there always
   bool is_excited = false;  ///< the recording tells causes apart; the least excitation that a name needs
                             ///< becomes half of what it has, where that is less
+  bool is_spindle_quiet = false;  ///< nothing is wrong there but values: what the board would call an effect
+  bool is_feed_quiet = false;     ///< is what noise makes of this machine, and is below its threshold then
 };
 
 /// What the board's own watch, in float, says about a recording of this machine with these settings. It looks

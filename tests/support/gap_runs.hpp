@@ -57,9 +57,11 @@ gap::GapFrame<Real> gap_frame(const SensorFrame& frame) {
   seen.speed_rad_s = at(Channel::kSpindleSpeed);
   seen.current_a = at(Channel::kArmatureCurrent);
   seen.feed_speed_m_s = at(Channel::kFeedSpeed);
+  seen.feed_position_m = at(Channel::kFeedPosition);
   seen.has_speed = frame.has(Channel::kSpindleSpeed);
   seen.has_current = frame.has(Channel::kArmatureCurrent);
   seen.has_feed_speed = frame.has(Channel::kFeedSpeed);
+  seen.has_feed_position = frame.has(Channel::kFeedPosition);
   return seen;
 }
 

@@ -39,6 +39,8 @@ TEST_P(RandomForces, HaveNoName) {
                                         .process_noise = process_noise}),
                                 wrong_datasheet(seed));
   EXPECT_EQ(result.verdict, host::Verdict::kParameterError) << said(result) << "; it was " << was;
+  EXPECT_EQ(result.board.verdict, gap::GapVerdict::kParameterError)
+      << gap::info_of(result.board.effect).name << " on the board";
 }
 
 // What each was called before. 2500 Hz with 4 and 1000 Hz with 2 hang on one part of the diagnosis each (the

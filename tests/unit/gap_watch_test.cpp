@@ -232,6 +232,41 @@ TEST(GapWatch, MergesShardsIntoTheVerdictOfAll) {
   EXPECT_GT(all->finding().evidence, 2.0F * shards.front()->finding().evidence);
 }
 
+/// Sees seconds `from_s` to `to_s` of a machine that knows its position, whose screw pushes and pulls.
+std::unique_ptr<GapWatch<float>> watch_of_screw(double from_s, double to_s) {
+  MonitorConfiguration configuration = reference_configuration();
+  MachineParameters& machine = configuration.machine;
+  machine.feed.screw_pitch_m = 5.0e-3;
+  const ReferencePoint point = host::reference_point_of(machine);
+  host::SimulationOptions options{.profile = host::ProfileKind::kRich, .duration_s = to_s};
+  options.effects = {applied(Effect::kFeedScrewPeriodic, 2.0, {machine, point})};
+  host::Simulation simulation(configuration, options);
+  GapSettings settings = test::gap_settings();
+  settings.noise.feed_position_variance = configuration.sensors[Channel::kFeedPosition].variance();
+  auto watch = std::make_unique<GapWatch<float>>(machine, point, 1.0 / options.rate_hz, settings);
+  const auto first = static_cast<std::uint32_t>(from_s * options.rate_hz);
+  for (SensorFrame frame; simulation.next(frame);) {
+    if (watch->is_resting()) watch->begin_anew();
+    if (frame.sequence >= first) watch->step(test::gap_frame<float>(frame));
+  }
+  watch->finish();
+  return watch;
+}
+
+// Each begins elsewhere on the way.
+TEST(GapWatch, MergesWatchesThatBeganElsewhereOnTheScrew) {
+  const auto first = watch_of_screw(0.0, 4.0);
+  const auto merged = watch_of_screw(4.0, 8.0);
+  const float later = merged->finding().evidence;
+  ASSERT_EQ(first->finding().effect, Effect::kFeedScrewPeriodic) << name(first->finding().effect);
+  ASSERT_EQ(merged->finding().effect, Effect::kFeedScrewPeriodic) << name(merged->finding().effect);
+  merged->merge(*first);
+  merged->finish();
+  EXPECT_EQ(merged->finding().verdict, GapVerdict::kEffect);
+  EXPECT_EQ(merged->finding().effect, Effect::kFeedScrewPeriodic) << name(merged->finding().effect);
+  EXPECT_GT(merged->finding().evidence, 0.9F * (later + first->finding().evidence));
+}
+
 TEST(GapWatch, BeginsAStretchAnewAfterAGap) {
   auto watch = test::new_watch<float>(test::gap_configuration().machine, test::gap_settings());
   GapFrame<float> frame;
