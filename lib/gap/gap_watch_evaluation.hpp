@@ -61,6 +61,8 @@ class GapWatchEvaluation {
   [[nodiscard]] const GapFinding& finding() const { return finding_; }
   /// How many times better than from the datasheet the least known parameter is known.
   [[nodiscard]] Real excitation() const { return excitation_; }
+  /// Residual power of the model with what was found, over that of the expected noise.
+  [[nodiscard]] Real residual_ratio() const { return rest_ / std::max(rows(), Real(1)); }
   /// How far the finding is beyond what chance makes.
   [[nodiscard]] Real surplus() const { return static_cast<Real>(finding_.evidence) - threshold_; }
 

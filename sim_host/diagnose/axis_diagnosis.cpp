@@ -99,12 +99,25 @@ class DiagnosisSearch {
       std::erase_if(ranked, [](const Candidate& c) { return contains_force(c.form); });
     left_out_.push_back(chosen.effect);
     if (contains_force(chosen)) left_out_.push_back(gap::Effect::kFeedForceOffset);
-    fit_ = std::move(winner);
+    before_newest_ = std::exchange(fit_, std::move(winner));
+    if (fit_.model().effects.size() > 1) begin_from_the_start();
     diagnosis_.found.push_back({.effect = fit_.model().effects.back(),
                                 .evidence = ranked.front().evidence,
                                 .rivals = std::move(ranked)});
     take_sizes();
     return true;
+  }
+
+  /// Alone, one of two causes explains most where the other one was least, and seems to set in then.
+  void begin_from_the_start() {
+    const double price = std::log(static_cast<double>(fit_.signals().rows) + 2.0);
+    for (std::size_t i = 0; i < fit_.model().effects.size(); ++i) {
+      if (!(fit_.model().effects[i].onset_s > 0.0)) continue;
+      AxisFit other = fit_;
+      other.model().effects[i].onset_s = 0.0;
+      other.settle(kDuelRounds);
+      if (other.unlikeliness() < fit_.unlikeliness() + price) fit_ = std::move(other);
+    }
   }
 
   /// What explains most beside the datasheet's parameters comes first; bent ones hide it.
@@ -154,6 +167,9 @@ class DiagnosisSearch {
       for (std::size_t k = 0; k < effects.size(); ++k)
         if (effects[k].form.parts == 1) weigh_bend(all_without[i], k);
     });
+    AxisFit& without_newest = all_without.back();
+    if (before_newest_ && before_newest_->unlikeliness() < without_newest.unlikeliness())
+      without_newest = *before_newest_;
     return all_without;
   }
 
@@ -207,6 +223,7 @@ class DiagnosisSearch {
                            [&](const Finding& a, const Finding& b) { return lack(a) < lack(b); });
       if (!(lack(*weakest) > 0.0)) break;
       fit_ = std::move(all_without[static_cast<std::size_t>(weakest - diagnosis_.found.begin())]);
+      before_newest_.reset();
       const Finding dropped = std::move(*weakest);
       diagnosis_.found.erase(weakest);
       for (Finding& left : diagnosis_.found) inherit_rivals(dropped, left);
@@ -228,6 +245,7 @@ class DiagnosisSearch {
   AxisDiagnosis& diagnosis_;
   AxisFit& fit_;
   std::vector<gap::Effect> left_out_;
+  std::optional<AxisFit> before_newest_;  ///< without the effect that was found last
   bool is_astray_ = false;  ///< the model as it is, as a beginning for others
   const std::function<void(double)>& on_progress_;
 };

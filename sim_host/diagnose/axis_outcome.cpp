@@ -91,7 +91,7 @@ AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const Dia
   AxisOutcome outcome{search_effects(start, nominal, options.excluded, kFixedThreshold, on_progress)};
   outcome.chance = bootstrapped(outcome.diagnosis, options);
   outcome.noise_evidence = noise_evidence(outcome.diagnosis.fit);
-  drop_what_chance_explains(outcome.diagnosis, outcome.threshold());
+  drop_what_chance_explains(outcome.diagnosis, outcome.least_name());
   outcome.leftover = leftover_of(outcome.diagnosis.fit, outcome.least_function());
   return outcome;
 }
@@ -152,9 +152,9 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   AxisDiagnosis& diagnosis = outcome.diagnosis;
   const bool is_lasting = outcome.noise_evidence > 0.0 && !diagnosis.fit.signals().is_thinned;
   outcome.noise_evidence = noise_evidence;
-  bool has_changed = drop_what_chance_explains(diagnosis, outcome.threshold());
+  bool has_changed = drop_what_chance_explains(diagnosis, outcome.least_name());
   const double named = outcome.named_deviance();
-  has_changed |= drop_what_lasting_noise_explains(diagnosis);
+  has_changed |= drop_what_lasting_noise_explains(diagnosis, noise_evidence);
   const double dropped = named - outcome.named_deviance();
   has_changed |= drop_what_input_news_explain(diagnosis);
   if (has_changed) outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
@@ -183,6 +183,14 @@ void drop_what_needs_no_names(AxisOutcome& outcome) {
 }  // namespace
 
 double AxisOutcome::threshold() const { return std::max(least_function(), noise_evidence); }
+
+double AxisOutcome::least_name() const {
+  return diagnosis.fit.signals().is_thinned ? threshold() : least_function();
+}
+
+double AxisOutcome::threshold_of(const Finding& finding) const {
+  return finding.evidence < threshold() ? least_name() : threshold();
+}
 
 double AxisOutcome::least_function() const { return std::max(diagnosis.least_evidence, chance.quantile99); }
 

@@ -24,8 +24,12 @@ struct AxisOutcome {
   double noise_evidence = 0.0;      ///< what noise that lasts may be worth to a name that is not there
   bool is_datasheet_wrong = false;  ///< its values, where the structure is right
 
-  /// Evidence that a name needs here.
+  /// Evidence that a name needs here,
   [[nodiscard]] double threshold() const;
+  /// one that noise which lasts may have made all the same: others show themselves beside such noise,
+  [[nodiscard]] double least_name() const;
+  /// and one that has been found.
+  [[nodiscard]] double threshold_of(const Finding& finding) const;
   /// The same for one of the functions without a name, which count together.
   [[nodiscard]] double least_function() const;
   /// Deviance that structure without a name needs.

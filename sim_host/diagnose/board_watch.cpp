@@ -104,17 +104,18 @@ void allow(float excitation, gap::GapLimits& limits) {
     limits.excitation = std::min(limits.excitation, kMargin * static_cast<double>(excitation));
 }
 
-/// Lifts what an effect needs above what the best form of an axis without one takes. Noise that lasts gives
-/// each row its share of that, and a watch that goes on has up to `kMostRows` of them.
+/// Lifts what an effect needs above what the best form of an axis without one takes, and the noise to what is
+/// left. Noise that lasts gives each row its share of evidence, and a watch that goes on has up to `kMostRows`.
 template <class Axis>
 void calm(const Axis& axis, gap::GapLimits& limits) {
   constexpr double kMargin = 1.25;
-  const gap::GapFinding& finding = axis.evaluation().finding();
-  const bool is_alarmed = finding.verdict == GapVerdict::kEffect || finding.verdict == GapVerdict::kUnexplained;
-  const double evidence = static_cast<double>(finding.evidence);
-  if (!is_alarmed || !(evidence > limits.evidence)) return;
-  const auto rows = static_cast<double>(axis.statistics().rows());
-  limits.evidence = kMargin * evidence * std::max(1.0, static_cast<double>(Axis::kMostRows) / rows);
+  const auto& evaluation = axis.evaluation();
+  const GapVerdict verdict = evaluation.finding().verdict;
+  if (verdict != GapVerdict::kEffect && verdict != GapVerdict::kUnexplained) return;
+  const auto evidence = static_cast<double>(evaluation.finding().evidence);
+  const double growth = static_cast<double>(Axis::kMostRows) / static_cast<double>(axis.statistics().rows());
+  if (evidence > limits.evidence) limits.evidence = kMargin * evidence * std::max(1.0, growth);
+  limits.noise_ratio = std::max(limits.noise_ratio, static_cast<double>(evaluation.residual_ratio()));
 }
 
 /// `rate_hz`: of the frames.

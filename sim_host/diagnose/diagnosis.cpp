@@ -262,7 +262,7 @@ class Diagnosis {
                                                : 0.0;
     const double temperature = outcome.chance.temperature;
     EffectResult effect = named_effect(
-        finding, fit, {temperature, outcome.threshold(), unnamed, causes_of(outcome.diagnosis.found)});
+        finding, fit, {temperature, outcome.threshold_of(finding), unnamed, causes_of(outcome.diagnosis.found)});
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);

@@ -11,6 +11,7 @@
 #include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/input_news.hpp"
 #include "sim_host/diagnose/where.hpp"
+#include "sim_host/diagnose/white_innovations.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -24,6 +25,15 @@ namespace {
 constexpr double kLeastKept = 0.07;
 constexpr double kSmallShare = 0.15;
 constexpr double kChance = 1.0;
+// Evidence over what is predictable of the innovations that are left: names that random forces of a
+// millisecond or two had made had 0.8 at most, those of causes that have no name 1.7. Right ones that lasting
+// noise could have stood in for, with parameters three times the datasheet's, had 2.2 and more.
+constexpr double kBeyondNoise = 2.0;
+// Names that are worth less than noise that lasts may be: of 31 that random forces had made, in production and
+// with rich excitation, none kept more than 0.2, of 11 right ones of 0.002 to 0.004 per row none less than 0.43
+// nor had a larger error.
+constexpr double kSurelyKept = 0.4;
+constexpr double kSureError = 0.1;  // of the size
 // Of what lags keep beside noise that lasts: right ones 0.1 and more on tests/blind and 0.078 in production,
 // those that a controller's sight of the state had made 0.02 and less.
 constexpr double kLeastNews = 0.05;
@@ -69,9 +79,24 @@ bool has_size(const Finding& finding, const AxisFit& fit) {
   return fit.relative_error_beside_inertia_of(finding.effect.form.effect) < kLargestError;
 }
 
+/// What all names together are worth, for one of which the others may make up.
+double evidence_of_all(const AxisDiagnosis& diagnosis) {
+  return diagnosis.nominal.unlikeliness() - diagnosis.fit.unlikeliness();
+}
+
+/// Worth little, but hardly less beside noise that lasts.
+bool is_sure(const Finding& finding, const AxisFit& fit) {
+  return finding.kept > kSurelyKept &&
+         fit.relative_error_beside_inertia_of(finding.effect.form.effect) < kSureError;
+}
+
 /// Of the names that keep too little of their evidence beside noise that lasts, the one that keeps least.
-std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& diagnosis) {
+std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& diagnosis,
+                                                              double noise_evidence) {
   const std::size_t count = diagnosis.found.size();
+  if (count == 0) return std::nullopt;
+  const double beyond_noise = kBeyondNoise * predictable_deviance(diagnosis.fit.innovations());
+  const double of_all = evidence_of_all(diagnosis);
   std::vector<AxisFit> fits;
   for (std::size_t i = 0; i < count; ++i) fits.push_back(without(diagnosis, i));
   fits.push_back(diagnosis.fit);
@@ -85,7 +110,11 @@ std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& dia
     const double left = has_size(finding, fits[count]) ? deviance[i] - deviance[count] : 0.0;
     finding.kept = left / std::max(finding.evidence, kChance);
     const bool is_least = !doubtful || finding.kept < diagnosis.found[*doubtful].kept;
-    if (keeps_too_little(left, finding.kept, rows) && is_least) doubtful = i;
+    const bool is_beyond_noise = std::min(finding.evidence, of_all) > beyond_noise;
+    const bool is_weak = finding.evidence < diagnosis.needed(finding, noise_evidence);
+    const bool is_doubted = is_weak ? !is_sure(finding, fits[count])
+                                    : !is_beyond_noise && keeps_too_little(left, finding.kept, rows);
+    if (is_doubted && is_least) doubtful = i;
   }
   return doubtful;
 }
@@ -109,11 +138,11 @@ bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
 }
 
 // One after the other: a right name keeps little beside a wrong one.
-bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis) {
+bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis, double noise_evidence) {
   // Of a thinned recording what remembers itself is structure.
   if (diagnosis.fit.signals().is_thinned) return false;
   bool has_changed = false;
-  while (const auto doubtful = most_doubtful_beside_lasting_noise(diagnosis)) {
+  while (const auto doubtful = most_doubtful_beside_lasting_noise(diagnosis, noise_evidence)) {
     std::vector<char> is_noise(diagnosis.found.size(), 0);
     is_noise[*doubtful] = 1;
     drop(diagnosis, is_noise);

@@ -22,8 +22,9 @@ bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold);
 
 /// Names that are worth hardly anything any more where the innovations before, of both sensors, may predict
 /// the next one with any weights. What comes and goes by itself is noise that lasts, or has a cause that is
-/// not in the catalogue; a law of what was measured is worth nearly as much as before.
-bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis);
+/// not in the catalogue; a law of what was measured is worth nearly as much as before. Names below
+/// `noise_evidence`, what such noise may be worth, stay where they are surely no such thing.
+bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis, double noise_evidence);
 
 /// Lags and delays that are worth hardly anything any more where what is new in the input may correct the
 /// state. A controller that sees the state itself, not the samples, knows of random forces before these do,
