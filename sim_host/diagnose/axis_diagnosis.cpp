@@ -198,7 +198,9 @@ class DiagnosisSearch {
   double enough_for(const Finding& finding) const {
     double enough = diagnosis_.least_evidence;
     const Family family = family_of(finding.effect.form.effect);
+    const bool is_slow = !is_fast(finding.effect.form.effect);
     for (const Finding& other : diagnosis_.found) {
+      if (is_slow && is_fast(other.effect.form.effect)) continue;
       const bool is_related = family != Family::kNone && family == family_of(other.effect.form.effect);
       enough = std::max(enough, (is_related ? kLeastShareOfFamily : kLeastShare) * other.evidence);
     }

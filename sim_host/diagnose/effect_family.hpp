@@ -34,6 +34,12 @@ constexpr Family family_of(gap::Effect effect) {
 
 constexpr bool is_lag(Family family) { return family == Family::kElectricLag || family == Family::kFeedLag; }
 
+/// Fast ones: what their shapes leave where a machine's are others is fast, too, and no law of how it moves.
+constexpr bool is_fast(gap::Effect effect) {
+  return is_lag(family_of(effect)) || effect == gap::Effect::kShaftCompliance ||
+         effect == gap::Effect::kInductanceSaturation;
+}
+
 /// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the
 /// recording says otherwise clearly.
 struct Plainer {

@@ -84,6 +84,11 @@ double evidence_of_all(const AxisDiagnosis& diagnosis) {
   return diagnosis.nominal.unlikeliness() - diagnosis.fit.unlikeliness();
 }
 
+/// Evidence that lasting noise makes of no name. What wanders can be worth anything to names that are not there.
+double beyond_noise_of(const AxisFit& fit) {
+  return wanders(fit) ? 1.0e300 : kBeyondNoise * predictable_deviance(fit.innovations());
+}
+
 /// Worth little, but hardly less beside noise that lasts.
 bool is_sure(const Finding& finding, const AxisFit& fit) {
   return finding.kept > kSurelyKept &&
@@ -95,7 +100,7 @@ std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& dia
                                                               double noise_evidence) {
   const std::size_t count = diagnosis.found.size();
   if (count == 0) return std::nullopt;
-  const double beyond_noise = kBeyondNoise * predictable_deviance(diagnosis.fit.innovations());
+  const double beyond_noise = beyond_noise_of(diagnosis.fit);
   const double of_all = evidence_of_all(diagnosis);
   std::vector<AxisFit> fits;
   for (std::size_t i = 0; i < count; ++i) fits.push_back(without(diagnosis, i));
@@ -128,6 +133,12 @@ bool outlasts_a_step(const Finding& finding, double rate_hz) {
 
 }  // namespace
 
+void drop(AxisDiagnosis& diagnosis, std::size_t index) {
+  std::vector<char> is_dropped(diagnosis.found.size(), 0);
+  is_dropped[index] = 1;
+  drop(diagnosis, is_dropped);
+}
+
 bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
   std::vector<char> is_chance;
   for (const Finding& finding : diagnosis.found)
@@ -137,15 +148,22 @@ bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
   return true;
 }
 
+// Of random forces, means over 40 ms know up to 210 of those before them, of a force that changes every half a
+// second 500, of a sensor that wanders within seconds 1300.
+bool wanders(const AxisFit& fit) {
+  constexpr double kLongS = 0.04;
+  constexpr double kMuchOfMeans = 300.0;
+  const auto rows = static_cast<std::size_t>(std::max(kLongS * fit.signals().rate_hz, 1.0));
+  return slowly_predictable_deviance(fit.innovations(), rows) > kMuchOfMeans;
+}
+
 // One after the other: a right name keeps little beside a wrong one.
 bool drop_what_lasting_noise_explains(AxisDiagnosis& diagnosis, double noise_evidence) {
   // Of a thinned recording what remembers itself is structure.
   if (diagnosis.fit.signals().is_thinned) return false;
   bool has_changed = false;
   while (const auto doubtful = most_doubtful_beside_lasting_noise(diagnosis, noise_evidence)) {
-    std::vector<char> is_noise(diagnosis.found.size(), 0);
-    is_noise[*doubtful] = 1;
-    drop(diagnosis, is_noise);
+    drop(diagnosis, *doubtful);
     has_changed = true;
   }
   return has_changed;

@@ -17,6 +17,9 @@ inline constexpr double kUsuallyKept = 0.33;
 // Each takes the names that something else explains out of the model, fits what is left anew, and says
 // whether there were any.
 
+/// This one, whatever it is worth.
+void drop(AxisDiagnosis& diagnosis, std::size_t index);
+
 /// Names that are worth less than `threshold`.
 bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold);
 
@@ -34,6 +37,9 @@ bool drop_what_input_news_explain(AxisDiagnosis& diagnosis);
 /// Names of an axis that are worth little per row and that none of its balances shows: where random forces
 /// are none, what a solver does differently within a step is worth as much. A lag of more than a step is not.
 bool drop_what_no_balance_shows(AxisDiagnosis& diagnosis);
+
+/// Does what a model leaves remember itself for longer than random forces do?
+bool wanders(const AxisFit& fit);
 
 /// Are the functions without a name, as names may be, worth hardly anything any more where the innovations
 /// before may predict the next one? Lines are not: noise has none.

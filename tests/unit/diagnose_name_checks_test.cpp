@@ -70,7 +70,16 @@ TEST(NoiseThatLasts, CountsForBothAxes) {
   const auto quiet = concluded(signals, 0.0);
   ASSERT_FALSE(quiet.back().diagnosis.found.empty());
   const double enough = 2.0 * quiet.back().diagnosis.found.front().evidence;
-  EXPECT_TRUE(concluded(signals, enough).back().diagnosis.found.empty());
+  EXPECT_EQ(concluded(signals, enough).back().noise_evidence, enough);
+}
+
+TEST(NoiseThatLasts, LeavesANameThatIsSurelyNoSuchThing) {
+  const auto signals = record({.effects = {effect(Effect::kFeedCoulombFriction, 6.0)}, .duration_s = 2.0});
+  const auto outcomes = concluded(signals, 1.0e6);
+  const auto& found = outcomes.back().diagnosis.found;
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found.front().effect.form.effect, Effect::kFeedCoulombFriction);
+  EXPECT_GT(found.front().kept, 0.4);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <ostream>
 
-#include "sim_host/simulate/datasheet.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {
@@ -19,13 +18,6 @@ struct ShakenCase {
 
 void PrintTo(const ShakenCase& shaken, std::ostream* out) {
   *out << shaken.rate_hz << " Hz, process noise " << shaken.process_noise << ", seed " << shaken.seed;
-}
-
-/// Off by a fifth, as `simulate --datasheet-error 0.2` writes it.
-MachineDescription wrong_datasheet(std::uint64_t seed) {
-  MachineDescription machine = datasheet(0.0);
-  machine.configuration.machine = host::datasheet_of(machine.configuration.machine, 0.2, seed);
-  return machine;
 }
 
 class RandomForces : public testing::TestWithParam<ShakenCase> {};

@@ -12,6 +12,7 @@
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/diagnose/reference_scales.hpp"
 #include "sim_host/machine/machine_description.hpp"
+#include "sim_host/simulate/datasheet.hpp"
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/simulate/simulation.hpp"
 #include "tests/support/reference_effect.hpp"
@@ -82,6 +83,13 @@ inline MachineDescription datasheet(double fraction) {
     *value *= 1.0 + sign * fraction;
     sign = -sign;
   }
+  return machine;
+}
+
+/// The same off by a fifth at most, as `simulate --datasheet-error 0.2` writes it.
+inline MachineDescription wrong_datasheet(std::uint64_t seed) {
+  MachineDescription machine = datasheet(0.0);
+  machine.configuration.machine = host::datasheet_of(machine.configuration.machine, 0.2, seed);
   return machine;
 }
 

@@ -1,0 +1,51 @@
+// Two causes of one axis, of which each hides the other: its size, its beginning, or that it is there at all.
+#include <gtest/gtest.h>
+
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+const host::EffectResult* find(const DiagnosisResult& result, Effect effect) {
+  for (const auto& found : result.which)
+    if (names(found, effect)) return &found;
+  return nullptr;
+}
+
+// The magnet explained most where the offset was least, from two seconds on; a speed's bias and structure
+// without a name made up for the rest.
+TEST(TwoCauses, BeginWithTheRecordingWhereOneSeemedToSetIn) {
+  const auto result = diagnosed(record({.effects = {effect(Effect::kMagnetTemperatureDrift, 8.0e-4),
+                                                    effect(Effect::kSupplyVoltageOffset, 0.5)},
+                                        .duration_s = 8.0,
+                                        .rate_hz = 5000.0,
+                                        .seed = 1,
+                                        .process_noise = 1.0}),
+                                datasheet(0.0));
+  ASSERT_EQ(result.which.size(), 2U) << said(result);
+  const auto* magnet = find(result, Effect::kMagnetTemperatureDrift);
+  const auto* offset = find(result, Effect::kSupplyVoltageOffset);
+  ASSERT_TRUE(magnet != nullptr && offset != nullptr) << said(result);
+  // Three standard errors.
+  EXPECT_NEAR(magnet->magnitude, 8.0e-4, 3.0 * magnet->standard_error);
+  EXPECT_NEAR(offset->magnitude, 0.5, 3.0 * offset->standard_error);
+}
+
+// Worth a thirtieth of the sensor's bandwidth, and nothing that another shape of that one would leave: the
+// torque had twice its noise left, and the verdict was that the bandwidth explains it all.
+TEST(TwoCauses, AreBothNamedWhereOneIsFastAndWorthMuch) {
+  const auto result = diagnosed(record({.effects = {effect(Effect::kCurrentBandwidth, 2.8e-4),
+                                                    effect(Effect::kSpindleCoulombFriction, 0.0235)},
+                                        .duration_s = 16.0,
+                                        .rate_hz = 2500.0,
+                                        .seed = 13}),
+                                datasheet(0.0));
+  ASSERT_EQ(result.which.size(), 2U) << said(result);
+  ASSERT_NE(find(result, Effect::kCurrentBandwidth), nullptr) << said(result);
+  const auto* friction = find(result, Effect::kSpindleCoulombFriction);
+  ASSERT_NE(friction, nullptr) << said(result);
+  EXPECT_NEAR(friction->magnitude, 0.0235, 3.0 * friction->standard_error);
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test
