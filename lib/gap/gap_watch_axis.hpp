@@ -26,8 +26,8 @@ class GapWatchAxis {
   using Evaluation = GapWatchEvaluation<Real, kParameters, kForms + MachineForms::kMost, kColumns>;
   using Statistics = typename Evaluation::Statistics;
 
-  /// Rows at which the statistics fade. A further row then changes the triangle by 8e-6 of its size: a hundred
-  /// times a float's last bit.
+  /// Rows at which the statistics fade. A further row then changes the triangle by 8e-6 of its size: a
+  /// hundred times a float's last bit.
   static constexpr std::size_t kMostRows = 65536;
 
   /// `spread`: standard deviation of each parameter column, as well as the datasheet knows it.

@@ -248,7 +248,7 @@ class DiagnosisSearch {
   AxisFit& fit_;
   std::vector<gap::Effect> left_out_;
   std::optional<AxisFit> before_newest_;  ///< without the effect that was found last
-  bool is_astray_ = false;  ///< the model as it is, as a beginning for others
+  bool is_astray_ = false;                ///< the model as it is, as a beginning for others
   const std::function<void(double)>& on_progress_;
 };
 

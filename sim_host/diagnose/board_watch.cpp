@@ -105,7 +105,8 @@ void allow(float excitation, gap::GapLimits& limits) {
 }
 
 /// Lifts what an effect needs above what the best form of an axis without one takes, and the noise to what is
-/// left. Noise that lasts gives each row its share of evidence, and a watch that goes on has up to `kMostRows`.
+/// left. Noise that lasts gives each row its share of evidence, and a watch that goes on has up to
+/// `kMostRows`.
 template <class Axis>
 void calm(const Axis& axis, gap::GapLimits& limits) {
   constexpr double kMargin = 1.25;

@@ -262,7 +262,8 @@ class Diagnosis {
                                                : 0.0;
     const double temperature = outcome.chance.temperature;
     EffectResult effect = named_effect(
-        finding, fit, {temperature, outcome.threshold_of(finding), unnamed, causes_of(outcome.diagnosis.found)});
+        finding, fit,
+        {temperature, outcome.threshold_of(finding), unnamed, causes_of(outcome.diagnosis.found)});
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
@@ -352,8 +353,8 @@ class Diagnosis {
   /// Is nothing of the axis wrong but values?
   [[nodiscard]] bool is_quiet(Axis axis) const {
     return !is_unexplained() && std::none_of(outcomes_.begin(), outcomes_.end(), [axis](const auto& outcome) {
-             return outcome.diagnosis.fit.axis() == axis && !outcome.diagnosis.found.empty();
-           });
+      return outcome.diagnosis.fit.axis() == axis && !outcome.diagnosis.found.empty();
+    });
   }
 
   /// When the first effect sets in; 0: it is there from the start, as what has no name.

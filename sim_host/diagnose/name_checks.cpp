@@ -29,9 +29,9 @@ constexpr double kChance = 1.0;
 // millisecond or two had made had 0.8 at most, those of causes that have no name 1.7. Right ones that lasting
 // noise could have stood in for, with parameters three times the datasheet's, had 2.2 and more.
 constexpr double kBeyondNoise = 2.0;
-// Names that are worth less than noise that lasts may be: of 31 that random forces had made, in production and
-// with rich excitation, none kept more than 0.2, of 11 right ones of 0.002 to 0.004 per row none less than 0.43
-// nor had a larger error.
+// Names that are worth less than noise that lasts may be: of 31 that random forces had made, in production
+// and with rich excitation, none kept more than 0.2, of 11 right ones of 0.002 to 0.004 per row none less
+// than 0.43 nor had a larger error.
 constexpr double kSurelyKept = 0.4;
 constexpr double kSureError = 0.1;  // of the size
 // Of what lags keep beside noise that lasts: right ones 0.1 and more on tests/blind and 0.078 in production,
@@ -84,7 +84,8 @@ double evidence_of_all(const AxisDiagnosis& diagnosis) {
   return diagnosis.nominal.unlikeliness() - diagnosis.fit.unlikeliness();
 }
 
-/// Evidence that lasting noise makes of no name. What wanders can be worth anything to names that are not there.
+/// Evidence that lasting noise makes of no name. What wanders can be worth anything to names that are not
+/// there.
 double beyond_noise_of(const AxisFit& fit) {
   return wanders(fit) ? 1.0e300 : kBeyondNoise * predictable_deviance(fit.innovations());
 }
@@ -148,8 +149,8 @@ bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
   return true;
 }
 
-// Of random forces, means over 40 ms know up to 210 of those before them, of a force that changes every half a
-// second 500, of a sensor that wanders within seconds 1300.
+// Of random forces, means over 40 ms know up to 210 of those before them, of a force that changes every half
+// a second 500, of a sensor that wanders within seconds 1300.
 bool wanders(const AxisFit& fit) {
   constexpr double kLongS = 0.04;
   constexpr double kMuchOfMeans = 300.0;

@@ -87,11 +87,14 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
   constexpr double kClosed = 0.7;
   constexpr double kPredicted = 0.5;
   constexpr double kVisible = 1.15;  // residual ratio
+  constexpr double kNothing = 0.3;   // whatever is predicted of what little there is to predict
+  const double most_closed = shrinkage.interval90[1];
   const auto shows_much = [&](const BalanceResult& balance) {
+    const auto& predicted = shrinkage.one_step_nrmse[static_cast<std::size_t>(balance.balance)];
     return balance.residual_ratio_after > kVisible &&
-           share_predicted(shrinkage.one_step_nrmse[static_cast<std::size_t>(balance.balance)]) < kPredicted;
+           (most_closed < kNothing || share_predicted(predicted) < kPredicted);
   };
-  return shrinkage.interval90[1] < kClosed && std::any_of(where.begin(), where.end(), shows_much);
+  return most_closed < kClosed && std::any_of(where.begin(), where.end(), shows_much);
 }
 
 }  // namespace morepro::host

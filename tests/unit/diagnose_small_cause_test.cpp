@@ -1,5 +1,5 @@
-// A cause that takes a few thousandths of what moves the machine beside random forces: noise that lasts may be
-// worth more to a name, but leaves it nothing where the innovations before may predict the next one.
+// A cause that takes a few thousandths of what moves the machine beside random forces: noise that lasts may
+// be worth more to a name, but leaves it nothing where the innovations before may predict the next one.
 #include <gtest/gtest.h>
 
 #include <ostream>
