@@ -52,6 +52,21 @@ TEST(ConstantBias, KeepsItsName) {
   EXPECT_NEAR(result.which.front().magnitude, 0.2, 0.01);
 }
 
+// Beside wrong parameters and noise that lasts it keeps next to nothing of its evidence; but that is far more
+// than all that is predictable of what it leaves. It was dropped without a word.
+TEST(LateDrive, IsNotTakenForNoiseThatLasts) {
+  const DiagnosisResult result = diagnosed(record({.effects = {effect(Effect::kDriveLag, 5.0e-4)},
+                                                   .duration_s = 20.0,
+                                                   .rate_hz = 2500.0,
+                                                   .seed = 1,
+                                                   .profile = host::ProfileKind::kProduction,
+                                                   .process_noise = 0.5}),
+                                           datasheet(0.0));
+  EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_TRUE(names(result.which.front(), Effect::kDriveLag)) << said(result);
+}
+
 /// What is certain of both axes where the feed has dry friction, and noise that lasts may be worth so much to
 /// a name of the spindle.
 std::vector<host::AxisOutcome> concluded(const RecordingSignals& signals, double noise_of_spindle) {
