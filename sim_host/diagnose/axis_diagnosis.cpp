@@ -108,10 +108,11 @@ class DiagnosisSearch {
     return true;
   }
 
-  /// Alone, one of two causes explains most where the other one was least, and seems to set in then.
+  /// Alone, one of two causes explains most where the other one was least, and seems to set in then. Not the
+  /// newest one, which has just been judged beside all others.
   void begin_from_the_start() {
     const double price = std::log(static_cast<double>(fit_.signals().rows) + 2.0);
-    for (std::size_t i = 0; i < fit_.model().effects.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < fit_.model().effects.size(); ++i) {
       if (!(fit_.model().effects[i].onset_s > 0.0)) continue;
       AxisFit other = fit_;
       other.model().effects[i].onset_s = 0.0;
