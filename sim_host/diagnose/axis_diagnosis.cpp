@@ -111,11 +111,13 @@ class DiagnosisSearch {
   /// Alone, one of two causes explains most where the other one was least, and seems to set in then. Not the
   /// newest one, which has just been judged beside all others.
   void begin_from_the_start() {
-    const double price = std::log(static_cast<double>(fit_.signals().rows) + 2.0);
     for (std::size_t i = 0; i + 1 < fit_.model().effects.size(); ++i) {
-      if (!(fit_.model().effects[i].onset_s > 0.0)) continue;
+      const gap::AppliedEffect late = fit_.model().effects[i];
+      if (!(late.onset_s > 0.0)) continue;
       AxisFit other = fit_;
-      other.model().effects[i].onset_s = 0.0;
+      gap::AppliedEffect& early = other.model().effects[i];
+      early.onset_s = 0.0;
+      const double price = freedom_cost(fit_, late) - freedom_cost(other, early);
       other.settle(kDuelRounds);
       if (other.unlikeliness() < fit_.unlikeliness() + price) fit_ = std::move(other);
     }
@@ -276,6 +278,11 @@ double AxisDiagnosis::needed(const Finding& finding, double usual) const {
         return pair.stays ? kAlways : std::min(usual, std::max(kRarely, kLeastShare * other.evidence));
   }
   return usual;
+}
+
+double AxisDiagnosis::named_deviance() const {
+  if (found.empty()) return 0.0;
+  return std::max(nominal.unlikeliness() - fit.unlikeliness(), 0.0);
 }
 
 double AxisDiagnosis::cost() const {

@@ -20,8 +20,8 @@ struct Finding {
   double kept = 1.0;              ///< share of the evidence that is left beside noise that may last
 };
 
-/// What was chosen later than `dropped`, beside it, and does its work alone now, has had its rivals: a bristle
-/// that was found beside Coulomb friction may be Coulomb friction. For relatives of one family only.
+/// What was chosen later than `dropped`, beside it, and does its work alone now, has had its rivals: a
+/// bristle that was found beside Coulomb friction may be Coulomb friction. For relatives of one family only.
 void inherit_rivals(const Finding& dropped, Finding& left);
 
 /// What was found out about one axis.
@@ -37,6 +37,8 @@ struct AxisDiagnosis {
   /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out
   /// to grow with the speed is still there, if less of it.
   [[nodiscard]] double needed(const Finding& finding, double usual) const;
+  /// Deviance that all names together take.
+  [[nodiscard]] double named_deviance() const;
   /// What two diagnoses of one recording are compared by: unlikeliness, and what the effects' freedom gains
   /// by chance. Smaller is better.
   [[nodiscard]] double cost() const;

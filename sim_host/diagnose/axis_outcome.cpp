@@ -97,10 +97,8 @@ std::optional<std::size_t> least_beside_much_left(const AxisOutcome& outcome) {
   std::optional<std::size_t> least;
   for (std::size_t i = 0; i < found.size(); ++i) {
     most = std::max(most, found[i].evidence);
-    std::vector<Finding> others = found;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    const bool is_cause = causes_of(others) < causes_of(found);
-    if (is_cause && (!least || found[i].evidence < found[*least].evidence)) least = i;
+    const bool is_least = !least || found[i].evidence < found[*least].evidence;
+    if (is_least && is_cause_of_its_own(found, i)) least = i;
   }
   if (!least || !(found[*least].evidence < kLittle * most)) return std::nullopt;
   if (!(outcome.unnamed_deviance() > kMuchLeft * found[*least].evidence)) return std::nullopt;
@@ -212,11 +210,6 @@ double AxisOutcome::threshold_of(const Finding& finding) const {
 }
 
 double AxisOutcome::least_function() const { return std::max(diagnosis.least_evidence, chance.quantile99); }
-
-double AxisOutcome::named_deviance() const {
-  if (diagnosis.found.empty()) return 0.0;
-  return std::max(diagnosis.nominal.unlikeliness() - diagnosis.fit.unlikeliness(), 0.0);
-}
 
 double AxisOutcome::unnamed_deviance_in(gap::Balance balance) const {
   // Without a current, the torque's balance is all that is evaluated of both.

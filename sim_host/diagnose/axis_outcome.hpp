@@ -24,11 +24,11 @@ struct AxisOutcome {
   double noise_evidence = 0.0;      ///< what noise that lasts may be worth to a name that is not there
   bool is_datasheet_wrong = false;  ///< its values, where the structure is right
 
-  /// Evidence that a name needs here,
+  /// Evidence that a name needs here that noise which lasts may have made.
   [[nodiscard]] double threshold() const;
-  /// one that noise which lasts may have made all the same: others show themselves beside such noise,
+  /// Evidence below which chance makes names: those between the two are judged beside such noise.
   [[nodiscard]] double least_name() const;
-  /// and one that has been found.
+  /// What this one, which was found, has needed.
   [[nodiscard]] double threshold_of(const Finding& finding) const;
   /// The same for one of the functions without a name, which count together.
   [[nodiscard]] double least_function() const;
@@ -41,7 +41,7 @@ struct AxisOutcome {
   /// As much of it as sits in one balance of the axis.
   [[nodiscard]] double unnamed_deviance_in(gap::Balance balance) const;
   /// Deviance that all names together take.
-  [[nodiscard]] double named_deviance() const;
+  [[nodiscard]] double named_deviance() const { return diagnosis.named_deviance(); }
 };
 
 /// Nothing where no row of the axis can be used.

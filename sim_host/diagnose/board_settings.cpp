@@ -53,7 +53,31 @@ void take(const AxisOutcome& outcome, bool is_unexplained, double rate_hz, gap::
     if (check_effect({.form = finding.effect.form}, rate_hz).ok()) add(finding.effect.form, limits.forms);
 }
 
+/// Is nothing of the axis wrong but values?
+bool is_quiet(Axis axis, std::span<const AxisOutcome> outcomes, Verdict verdict) {
+  const auto has_effect = [axis](const AxisOutcome& outcome) {
+    return outcome.diagnosis.fit.axis() == axis && !outcome.diagnosis.found.empty();
+  };
+  return verdict != Verdict::kUnexplained && std::none_of(outcomes.begin(), outcomes.end(), has_effect);
+}
+
+/// When the first effect sets in; 0: it is there from the start, as what has no name.
+double first_onset_s(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result) {
+  if (result.verdict != Verdict::kEffect) return 0.0;
+  double first = result.duration_s;
+  for (const AxisOutcome& outcome : outcomes)
+    for (const Finding& finding : outcome.diagnosis.found) first = std::min(first, finding.effect.onset_s);
+  return first < result.duration_s ? first : 0.0;
+}
+
 }  // namespace
+
+BoardSight sight_of(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result) {
+  return {.since_s = first_onset_s(outcomes, result),
+          .is_excited = result.verdict != Verdict::kInsufficientExcitation,
+          .is_spindle_quiet = is_quiet(Axis::kSpindle, outcomes, result.verdict),
+          .is_feed_quiet = is_quiet(Axis::kFeed, outcomes, result.verdict)};
+}
 
 gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap::GapNoise<double>& sensors,
                                 bool is_unexplained, std::span<const gap::Effect> excluded, double rate_hz) {

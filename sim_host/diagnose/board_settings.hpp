@@ -3,6 +3,7 @@
 
 #include "lib/gap/effect_scales.hpp"
 #include "sim_host/diagnose/axis_outcome.hpp"
+#include "sim_host/diagnose/board_watch.hpp"
 
 namespace morepro::host {
 
@@ -11,6 +12,9 @@ namespace morepro::host {
 /// functions that take it. `excluded`: effects that it is not to look for either.
 gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap::GapNoise<double>& sensors,
                                 bool is_unexplained, std::span<const gap::Effect> excluded, double rate_hz);
+
+/// From when on, and as what, a board is shown a recording of which this was found.
+BoardSight sight_of(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result);
 
 /// The settings as a machine file states them. `rate_ratio`: of the rate that they were found at, over that
 /// of the recording; noise adds up over intervals.

@@ -335,35 +335,16 @@ class Diagnosis {
   }
 
   void watch_like_a_board() {
-    const BoardSight sight{.since_s = first_onset_s(),
-                           .is_excited = result_.verdict != Verdict::kInsufficientExcitation,
-                           .is_spindle_quiet = is_quiet(Axis::kSpindle),
-                           .is_feed_quiet = is_quiet(Axis::kFeed)};
     gap::GapSettings settings =
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
     result_.board = watch_on_board(signals_, machine_.configuration.machine,
-                                   refitted(machine_.configuration.machine, outcomes_), sight, settings);
+                                   refitted(machine_.configuration.machine, outcomes_),
+                                   sight_of(outcomes_, result_), settings);
     result_.board_agrees = agree(result_.board, result_);
     result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
     for (gap::GapLimits* limits : {&result_.for_board.spindle, &result_.for_board.feed})
       limits->forms = stated_forms(limits->forms, recording_scales(), file_scales());
-  }
-
-  /// Is nothing of the axis wrong but values?
-  [[nodiscard]] bool is_quiet(Axis axis) const {
-    return !is_unexplained() && std::none_of(outcomes_.begin(), outcomes_.end(), [axis](const auto& outcome) {
-      return outcome.diagnosis.fit.axis() == axis && !outcome.diagnosis.found.empty();
-    });
-  }
-
-  /// When the first effect sets in; 0: it is there from the start, as what has no name.
-  double first_onset_s() const {
-    if (result_.verdict != Verdict::kEffect) return 0.0;
-    double first = result_.duration_s;
-    for (const AxisOutcome& outcome : outcomes_)
-      for (const Finding& finding : outcome.diagnosis.found) first = std::min(first, finding.effect.onset_s);
-    return first < result_.duration_s ? first : 0.0;
   }
 
   std::mutex one_at_a_time_;

@@ -44,6 +44,11 @@ bool is_part_of_friction(Effect effect) {
          family_of(effect) == Family::kDryFriction;
 }
 
+std::size_t parts_of_friction(std::span<const Finding> found) {
+  const auto is_part = [](const Finding& f) { return is_part_of_friction(f.effect.form.effect); };
+  return static_cast<std::size_t>(std::count_if(found.begin(), found.end(), is_part));
+}
+
 bool is_one_signal_for_two(const AxisFit& fit) {
   return fit.axis() == Axis::kSpindle && !fit.signals().has(Channel::kArmatureCurrent);
 }
@@ -72,9 +77,12 @@ std::span<const Effect> untried_aliases(Effect effect, const AxisFit& fit) {
 }  // namespace
 
 std::size_t causes_of(std::span<const Finding> found) {
-  const auto is_friction = [](const Finding& f) { return is_part_of_friction(f.effect.form.effect); };
-  const auto parts = static_cast<std::size_t>(std::count_if(found.begin(), found.end(), is_friction));
+  const std::size_t parts = parts_of_friction(found);
   return parts > 1 ? found.size() - parts + 1 : found.size();
+}
+
+bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index) {
+  return !is_part_of_friction(found[index].effect.form.effect) || parts_of_friction(found) == 1;
 }
 
 EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context) {

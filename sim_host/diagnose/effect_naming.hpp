@@ -35,6 +35,9 @@ struct NamingContext {
 /// Independent causes among the effects of an axis: the parts of friction are one.
 std::size_t causes_of(std::span<const Finding> found);
 
+/// Is this one of them, without other parts?
+bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index);
+
 /// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size,
 /// which depends on the reference point that it is stated at.
 EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context);

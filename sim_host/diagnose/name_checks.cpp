@@ -79,11 +79,6 @@ bool has_size(const Finding& finding, const AxisFit& fit) {
   return fit.relative_error_beside_inertia_of(finding.effect.form.effect) < kLargestError;
 }
 
-/// What all names together are worth, for one of which the others may make up.
-double evidence_of_all(const AxisDiagnosis& diagnosis) {
-  return diagnosis.nominal.unlikeliness() - diagnosis.fit.unlikeliness();
-}
-
 /// Evidence that lasting noise makes of no name. What wanders can be worth anything to names that are not
 /// there.
 double beyond_noise_of(const AxisFit& fit) {
@@ -102,7 +97,7 @@ std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& dia
   const std::size_t count = diagnosis.found.size();
   if (count == 0) return std::nullopt;
   const double beyond_noise = beyond_noise_of(diagnosis.fit);
-  const double of_all = evidence_of_all(diagnosis);
+  const double of_all = diagnosis.named_deviance();  // others may make up for one of them
   std::vector<AxisFit> fits;
   for (std::size_t i = 0; i < count; ++i) fits.push_back(without(diagnosis, i));
   fits.push_back(diagnosis.fit);

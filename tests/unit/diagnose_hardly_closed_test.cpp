@@ -30,6 +30,12 @@ TEST(HardlyClosed, IsAGapOfWhichNamesTakeAHalf) {
   EXPECT_TRUE(is_hardly_closed(shrinkage(0.56, 4.4, 4.2), std::array{balance(1.23)}));
 }
 
+// However well a model predicts a step in which there was hardly anything to predict.
+TEST(HardlyClosed, IsAGapOfWhichSurelyNothingIsClosed) {
+  EXPECT_TRUE(is_hardly_closed(shrinkage(0.14, 1.0, 1.0), std::array{balance(1.52)}));
+  EXPECT_FALSE(is_hardly_closed(shrinkage(0.14, 1.0, 1.0), std::array{balance(1.1)}));
+}
+
 TEST(HardlyClosed, IsNoGapThatIsMostlyGone) {
   EXPECT_FALSE(is_hardly_closed(shrinkage(0.83, 1.12, 1.07), std::array{balance(1.32)}));
 }
