@@ -67,14 +67,15 @@ TEST(LateDrive, IsNotTakenForNoiseThatLasts) {
   EXPECT_TRUE(names(result.which.front(), Effect::kDriveLag)) << said(result);
 }
 
+host::AxisOutcome outcome_of(host::Axis axis, const RecordingSignals& signals) {
+  const host::DiagnosisOptions options{.bootstrap_runs = 0, .excluded = {}};
+  return host::outcome_of(axis, signals, gap_model(datasheet(0.0), signals), options).value();
+}
+
 /// What is certain of both axes where the feed has dry friction, and noise that lasts may be worth so much to
 /// a name of the spindle.
 std::vector<host::AxisOutcome> concluded(const RecordingSignals& signals, double noise_of_spindle) {
-  const host::GapModel model = gap_model(datasheet(0.0), signals);
-  const host::DiagnosisOptions options{.bootstrap_runs = 0, .excluded = {}};
-  std::vector<host::AxisOutcome> outcomes;
-  for (const host::Axis axis : {host::Axis::kSpindle, host::Axis::kFeed})
-    outcomes.push_back(host::outcome_of(axis, signals, model, options).value());
+  std::vector outcomes{outcome_of(host::Axis::kSpindle, signals), outcome_of(host::Axis::kFeed, signals)};
   outcomes.front().noise_evidence = noise_of_spindle;
   host::conclude(outcomes);
   return outcomes;
@@ -95,6 +96,32 @@ TEST(NoiseThatLasts, LeavesANameThatIsSurelyNoSuchThing) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().effect.form.effect, Effect::kFeedCoulombFriction);
   EXPECT_GT(found.front().kept, 0.4);
+}
+
+/// Names that stay beside structure without a name that is worth `left` of the least of them.
+std::size_t names_beside(double left, const host::AxisOutcome& outcome) {
+  std::vector outcomes{outcome};
+  outcomes.front().leftover.gain = left * outcome.diagnosis.found.back().evidence;
+  host::conclude(outcomes);
+  return outcomes.front().diagnosis.found.size();
+}
+
+TEST(LeftOfShapes, IsNoSecondCause) {
+  const auto signals = record({.effects = {effect(Effect::kCurrentBandwidth, 2.8e-4),
+                                           effect(Effect::kSpindleCoulombFriction, 0.0235)},
+                               .duration_s = 4.0,
+                               .rate_hz = 2500.0,
+                               .seed = 13});
+  const auto outcome = outcome_of(host::Axis::kSpindle, signals);
+  EXPECT_EQ(names_beside(0.2, outcome), 2U);
+  EXPECT_EQ(names_beside(0.5, outcome), 1U);
+}
+
+TEST(LeftOfShapes, LeavesThePartsOfAFriction) {
+  const auto signals =
+      record({.effects = {effect(Effect::kFeedCoulombFriction, 12.0), effect(Effect::kFeedForceOffset, 1.5)},
+              .duration_s = 2.0});
+  EXPECT_EQ(names_beside(0.5, outcome_of(host::Axis::kFeed, signals)), 2U);
 }
 
 }  // namespace
