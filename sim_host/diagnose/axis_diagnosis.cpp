@@ -162,6 +162,7 @@ class DiagnosisSearch {
   /// The model without each of its effects. Beside that one the others' laws may have needed no bend.
   std::vector<AxisFit> leave_one_out() const {
     std::vector<AxisFit> all_without(diagnosis_.found.size(), fit_);
+    if (all_without.empty()) return {};
     if (all_without.size() == 1) return {without_any()};
     in_parallel(all_without.size(), [&](std::size_t i) {
       auto& effects = all_without[i].model().effects;
@@ -170,9 +171,8 @@ class DiagnosisSearch {
       for (std::size_t k = 0; k < effects.size(); ++k)
         if (effects[k].form.parts == 1) weigh_bend(all_without[i], k);
     });
-    AxisFit& without_newest = all_without.back();
-    if (before_newest_ && before_newest_->unlikeliness() < without_newest.unlikeliness())
-      without_newest = *before_newest_;
+    if (before_newest_ && before_newest_->unlikeliness() < all_without.back().unlikeliness())
+      all_without.back() = *before_newest_;
     return all_without;
   }
 
