@@ -5,6 +5,7 @@
 
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/gap_watch_axis.hpp"
+#include "lib/gap/sample_watch.hpp"
 #include "lib/gap/spindle_observer.hpp"
 
 namespace morepro::gap {
@@ -39,6 +40,7 @@ class GapWatch {
                  {kSpread, kSpread, kSpread, kSpread, kSpread, kSpread}, settings.spindle),
         feed_(machine, point, step_s, noise_of(settings.noise), kFeedForms,
               {kSpread, kSpread, load_spread(machine), load_spread(machine)}, settings.feed),
+        samples_(settings.samples),
         step_s_(static_cast<Real>(step_s)) {}
 
   /// Is the next frame one of those that are not stored? Then rest() is enough.
@@ -52,6 +54,7 @@ class GapWatch {
     if (frame.has_angle) angle_rad_ = frame.angle_rad;
     if (frame.has_feed_position && !has_origin_) count_positions_near(frame.feed_position_m);
     stretch_[phase_] = located(frame);
+    if (phase_ > 0) samples_.see(stretch_[phase_], stretch_[phase_ - 1]);
     move_on(frame.input.contact);
   }
 
@@ -63,7 +66,10 @@ class GapWatch {
     move_on(contact);
   }
 
-  /// Frames are missing: a stretch that has begun begins anew.
+  /// Frames were lost now and then, not by a sensor or a link that is away for a while.
+  void count_lost(std::uint32_t frames) { samples_.lose(frames); }
+
+  /// What comes next does not follow what came last: a stretch that has begun begins anew.
   void interrupt() {
     if (!is_resting()) begin_stretch();
   }
@@ -97,9 +103,10 @@ class GapWatch {
   void merge(const GapWatch& other) {
     spindle_.merge(other.spindle_);
     feed_.merge(other.feed_);
+    samples_.merge(other.samples_);
   }
 
-  /// The more important of the two axes' findings.
+  /// The most important one of both axes and the samples.
   [[nodiscard]] const GapFinding& finding() const { return finding_; }
   [[nodiscard]] const SpindleAxis& spindle() const { return spindle_; }
   [[nodiscard]] const FeedAxis& feed() const { return feed_; }
@@ -206,7 +213,10 @@ class GapWatch {
     begin_stretch();
   }
 
-  void begin_stretch() { phase_ = seen_ = 0; }
+  void begin_stretch() {
+    samples_.count(phase_);
+    phase_ = seen_ = 0;
+  }
 
   void find_if(bool is_new) {
     if (is_new) find();
@@ -219,10 +229,14 @@ class GapWatch {
                              ? b.finding().verdict > a.finding().verdict
                              : b.surplus() > a.surplus();
     finding_ = is_feed ? b.finding() : a.finding();
+    const GapFinding sampled = samples_.finding();
+    const bool is_lesser = finding_.verdict < sampled.verdict || finding_.evidence < sampled.evidence;
+    if (sampled.verdict == GapVerdict::kEffect && is_lesser) finding_ = sampled;
   }
 
   SpindleAxis spindle_;
   FeedAxis feed_;
+  SampleWatch<Real> samples_;
   std::array<GapFrame<Real>, kStretch> stretch_{};
   typename Spindle::Rows spindle_rows_{};
   typename Feed::Rows feed_rows_{};

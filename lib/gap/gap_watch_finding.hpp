@@ -70,11 +70,21 @@ struct GapLimits {
   MachineForms forms{};
 };
 
-/// Both axes.
+/// What of the samples is no fault; 0: nobody looks.
+struct SampleLimits {
+  float speed_step_rad_s = 0.0F;
+  float current_step_a = 0.0F;
+  float feed_step_m_s = 0.0F;
+  float position_step_m = 0.0F;
+  float lost_share = 0.0F;  ///< of the frames
+};
+
+/// Both axes, and the samples.
 struct GapSettings {
   GapNoise<double> noise;
   GapLimits spindle;
   GapLimits feed;
+  SampleLimits samples{};
 };
 
 }  // namespace morepro::gap

@@ -6,6 +6,7 @@
 #include "lib/gap/reference_point.hpp"
 #include "lib/monitor/held_inputs.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
+#include "lib/monitor/sample_limits.hpp"
 
 namespace morepro {
 
@@ -17,8 +18,11 @@ class GapTracker {
       : described_(described_by(c.sensors)),
         watch_(c.machine, gap::reference_point_of(c.machine), 1.0 / c.sampling.rate_hz, settings_of(c)) {}
 
-  /// Frames are missing before the next one.
-  void interrupt() { watch_.interrupt(); }
+  /// The next frame does not follow the last one; so many were lost between them, where that is known.
+  [[gnu::noinline, gnu::cold]] void interrupt(std::uint32_t lost) {
+    watch_.count_lost(lost);
+    watch_.interrupt();
+  }
   /// A sensor is suspected: neither this frame nor the ones just before it may be learnt from.
   void distrust() { watch_.abandon(); }
 
@@ -48,7 +52,10 @@ class GapTracker {
   }
 
   static gap::GapSettings settings_of(const MonitorConfiguration& c) {
-    gap::GapSettings settings{.noise = {}, .spindle = c.gap.spindle, .feed = c.gap.feed};
+    gap::GapSettings settings{.noise = {},
+                              .spindle = c.gap.spindle,
+                              .feed = c.gap.feed,
+                              .samples = sample_limits_of(c.sensors)};
     settings.noise.speed_variance = c.sensors[Channel::kSpindleSpeed].variance();
     settings.noise.current_variance = c.sensors[Channel::kArmatureCurrent].variance();
     settings.noise.feed_speed_variance = c.sensors[Channel::kFeedSpeed].variance();

@@ -158,7 +158,8 @@ class Monitor {
     auto& e = estimators_;
     if (!sensors_are_sound()) return e.gap.distrust();
     const bool is_untimely = (seen.flags & bits_of(FrameFlag::kTimeJump)) != 0;
-    if (seen.is_restart || seen.missing > 0 || is_untimely) return e.gap.interrupt();
+    if (seen.is_restart || seen.missing > 0 || is_untimely)
+      return e.gap.interrupt(seen.is_restart ? 0 : seen.missing);
     e.gap.step(e.held, static_cast<std::uint16_t>(seen.frame.usable & ~health_.rejected_channels));
   }
 

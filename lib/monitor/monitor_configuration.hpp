@@ -6,6 +6,7 @@
 #include "lib/frame/channel.hpp"
 #include "lib/gap/applied_effect.hpp"
 #include "lib/gap/gap_watch_finding.hpp"
+#include "lib/math/elementary.hpp"
 #include "lib/plant/built_in_machines.hpp"
 #include "lib/plant/machine_parameters.hpp"
 
@@ -18,6 +19,12 @@ struct SensorNoise {
 
   /// Variance of one sample: noise and the uniform error of rounding to the last bit.
   [[nodiscard]] constexpr double variance() const { return noise * noise + lsb * lsb / 12.0; }
+  /// What a coarser step is stated in.
+  [[nodiscard]] constexpr double unit() const { return lsb > 0.0 ? lsb : noise; }
+  /// A step that adds less than a tenth to the noise that is known changes nothing.
+  [[nodiscard]] float coarsest_step() const {
+    return math::sqrt(static_cast<float>(1.2 * (lsb * lsb + variance())));
+  }
 };
 
 /// Noise of every channel; zero where a machine has no such sensor or its noise is not known.

@@ -112,9 +112,18 @@ void drop_what_is_left_of_shapes(AxisOutcome& outcome) {
   }
 }
 
+/// Evidence below which nothing is looked at.
+double least_evidence(Axis axis, const RecordingSignals& signals) {
+  const auto rounding = [&signals](Channel channel) { return signals.rounding_deviance[index_of(channel)]; };
+  return std::max(kFixedThreshold, axis == Axis::kSpindle
+                                       ? rounding(Channel::kSpindleSpeed) + rounding(Channel::kArmatureCurrent)
+                                       : rounding(Channel::kFeedSpeed) + rounding(Channel::kFeedPosition));
+}
+
 AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const DiagnosisOptions& options) {
   const auto on_progress = [&](double share) { options.on_progress(kSearchShare * share); };
-  AxisOutcome outcome{search_effects(start, nominal, options.excluded, kFixedThreshold, on_progress)};
+  const double least = least_evidence(start.axis(), start.signals());
+  AxisOutcome outcome{search_effects(start, nominal, options.excluded, least, on_progress)};
   outcome.chance = bootstrapped(outcome.diagnosis, options);
   outcome.noise_evidence = noise_evidence(outcome.diagnosis.fit);
   drop_what_chance_explains(outcome.diagnosis, outcome.least_name());

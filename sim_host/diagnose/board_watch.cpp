@@ -74,24 +74,32 @@ constexpr std::size_t kWatches = (Watch::kStretch + kShift - 1) / kShift;
 struct BoardFrame {
   gap::GapFrame<float> frame;
   bool is_missing = false;
+  bool is_lost = false;  ///< missing, or all of its samples are
 };
 
 std::vector<BoardFrame> board_frames(const RecordingSignals& signals, const MachineParameters& machine) {
   std::vector<BoardFrame> frames(signals.rows);
   FrameSource source(signals, machine, 0, FrameSource::Temperatures::kAsRecorded);
   for (std::size_t row = 0; row < signals.rows; ++row) {
-    frames[row] = {rounded(source.next()), is_missing(signals, row)};
-    hide_what_is_not_driven(signals, frames[row].frame);
+    gap::GapFrame<float>& frame = frames[row].frame = rounded(source.next());
+    const bool is_measured =
+        frame.has_speed || frame.has_current || frame.has_feed_speed || frame.has_feed_position;
+    frames[row].is_missing = is_missing(signals, row);
+    frames[row].is_lost = frames[row].is_missing || !is_measured;
+    hide_what_is_not_driven(signals, frame);
   }
   return frames;
 }
 
 /// Shows a recording to a watch whose first stretch begins at row `first`.
 void show(const std::vector<BoardFrame>& frames, std::size_t first, Watch& watch) {
+  std::uint32_t lost = 0;
   for (std::size_t row = 0; row < frames.size(); ++row) {
     const bool is_turn = row >= first && (row - first) % (kWatches * kShift) == 0;
     if (is_turn && watch.is_resting()) watch.begin_anew();
     const BoardFrame& seen = frames[row];
+    if (!seen.is_lost && lost <= kLongestBridge) watch.count_lost(lost);
+    lost = seen.is_lost ? lost + 1 : 0;
     if (!seen.is_missing) watch.step(seen.frame);
     if (seen.is_missing || row < first) watch.interrupt();
   }

@@ -10,6 +10,7 @@
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
+#include "lib/monitor/sample_limits.hpp"
 #include "sim_host/diagnose/axis_outcome.hpp"
 #include "sim_host/diagnose/board_settings.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
@@ -55,7 +56,8 @@ class Diagnosis {
   }
 
   void run() {
-    Sensors sensors = machine_.configuration.sensors;
+    Sensors sensors = with_known_steps(machine_.configuration.sensors, machine_.effects);
+    const Sensors expected = sensors;
     for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
       result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
                                             kChannels[index_of(channel)].column));
@@ -78,12 +80,13 @@ class Diagnosis {
     try_axes();
     look_for_jitter();
     leave_out_excluded_faults();
+    leave_out_known(machine_.effects, faults_);
     judge();
     rank();
     measure();
     reconsider();
     result_.explanation = explanation();
-    watch_like_a_board();
+    watch_like_a_board(expected);
   }
 
   [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }
@@ -94,7 +97,7 @@ class Diagnosis {
 
   DiagnosisResult take_result(MachineDescription& with_effects) {
     for (const AxisOutcome& outcome : outcomes_) options_.on_axis(outcome.diagnosis);
-    with_effects = machine_with_effects(machine_, outcomes_, {recording_scales(), file_scales()});
+    with_effects = machine_with_effects(machine_, outcomes_, faults_, {recording_scales(), file_scales()});
     with_effects.configuration.gap = result_.for_board;
     for (const SettingKey& key : setting_keys())
       if (key.table == "gap") with_effects.stated.insert(full_name(key));
@@ -334,10 +337,12 @@ class Diagnosis {
     result_.where.push_back(absent);
   }
 
-  void watch_like_a_board() {
+  /// `expected`: the sensors that the machine is known to have.
+  void watch_like_a_board(const Sensors& expected) {
     gap::GapSettings settings =
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
+    settings.samples = samples_for_board(expected);
     result_.board = watch_on_board(signals_, machine_.configuration.machine,
                                    refitted(machine_.configuration.machine, outcomes_),
                                    sight_of(outcomes_, result_), settings);
@@ -345,6 +350,18 @@ class Diagnosis {
     result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
     for (gap::GapLimits* limits : {&result_.for_board.spindle, &result_.for_board.feed})
       limits->forms = stated_forms(limits->forms, recording_scales(), file_scales());
+  }
+
+  gap::SampleLimits samples_for_board(const Sensors& expected) const {
+    const auto looks_for = [this](Effect effect) {
+      const auto is_it = [effect](const gap::AppliedEffect& known) { return known.form.effect == effect; };
+      return std::count(options_.excluded.begin(), options_.excluded.end(), effect) == 0 &&
+             std::none_of(machine_.effects.begin(), machine_.effects.end(), is_it);
+    };
+    gap::SampleLimits limits = sample_limits_of(expected);
+    if (!looks_for(Effect::kSensorQuantization)) limits = {.lost_share = limits.lost_share};
+    if (!looks_for(Effect::kSampleDropout)) limits.lost_share = 0.0F;
+    return limits;
   }
 
   std::mutex one_at_a_time_;

@@ -14,6 +14,18 @@ void take_values(const AxisFit& fit, MachineParameters& machine) {
     machine.feed = fitted.feed;
 }
 
+void take_fault(const SamplingFault& fault, const gap::EffectScales<double>& scales,
+                MachineDescription& machine) {
+  if (fault.effect == gap::Effect::kSensorQuantization) {
+    SensorNoise& sensor = machine.configuration.sensors[fault.channel];
+    sensor.lsb = fault.size * sensor.unit();
+    return;
+  }
+  std::erase_if(machine.effects,
+                [&fault](const gap::AppliedEffect& known) { return known.form.effect == fault.effect; });
+  machine.effects.push_back(gap::applied(fault.effect, fault.size, scales));
+}
+
 }  // namespace
 
 MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcome> outcomes) {
@@ -22,7 +34,9 @@ MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcom
 }
 
 MachineDescription machine_with_effects(MachineDescription machine, std::span<const AxisOutcome> outcomes,
+                                        std::span<const SamplingFault> faults,
                                         const ScalesOfEffects& scales) {
+  for (const SamplingFault& fault : faults) take_fault(fault, scales.stated, machine);
   for (const AxisOutcome& outcome : outcomes) {
     const AxisFit& fit = outcome.diagnosis.fit;
     take_values(fit, machine.configuration.machine);

@@ -3,6 +3,7 @@
 
 #include "lib/gap/effect_scales.hpp"
 #include "sim_host/diagnose/axis_outcome.hpp"
+#include "sim_host/diagnose/sampling_checks.hpp"
 #include "sim_host/machine/machine_description.hpp"
 
 namespace morepro::host {
@@ -16,9 +17,9 @@ struct ScalesOfEffects {
 /// The machine with the values that fit best without any effect.
 MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcome> outcomes);
 
-/// The machine with the values that fit best beside the effects that were found, and with these, as it is
-/// after the recording: what set in stays.
+/// The machine with the values that fit best beside the effects that were found, and with these and the faults
+/// of its samples, as it is after the recording: what set in stays. A coarse step becomes its sensor's.
 MachineDescription machine_with_effects(MachineDescription machine, std::span<const AxisOutcome> outcomes,
-                                        const ScalesOfEffects& scales);
+                                        std::span<const SamplingFault> faults, const ScalesOfEffects& scales);
 
 }  // namespace morepro::host

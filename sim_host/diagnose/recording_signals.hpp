@@ -34,6 +34,10 @@ struct RecordingSignals {
   double lost_voltage_v2 = 0.0;
   double lost_force_n2 = 0.0;
 
+  /// Deviance, by channel, that coarse steps may be worth to a cause: where a signal rests, rounding takes the
+  /// same away from all of its samples.
+  std::array<double, kChannelCount> rounding_deviance{};
+
   std::vector<double> cutting_time_s;  ///< before each row; empty without contact
   /// Way and angle before each row, by the speeds; empty where a sensor shows them, or not followed.
   std::vector<double> travelled_m;

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "lib/monitor/sample_limits.hpp"
 
 namespace morepro::host {
 namespace {
@@ -95,6 +98,19 @@ bool is_late(const LostRows& lost, double rows) {
   return lost.count * before > kHardlyEver * (rows - before);
 }
 
+/// Of `column`, recorded in steps of `step`. Noise moves a sample that rests from step to step, so that their
+/// mean is off by a sine of where between two steps the signal is, of amplitude step/pi exp(-2 (pi noise/step)^2)
+/// (Widrow and Kollar, Quantization Noise, 2008).
+double rounding_deviance(const std::vector<float>& column, double step, double noise) {
+  double resting = 0.0;
+  for (std::size_t row = 1; row < column.size(); ++row)
+    if (column[row] == column[row - 1]) resting += 1.0;
+  constexpr double kPi = std::numbers::pi;
+  constexpr double kBesideParameters = 0.25;  // fitted values take most of it: names had up to a fifteenth
+  const double amplitude = step / kPi * std::exp(-2.0 * kPi * kPi * noise * noise / (step * step));
+  return kBesideParameters * resting * 0.5 * amplitude * amplitude / (noise * noise + step * step / 12.0);
+}
+
 struct Steps {
   double size = 0.0;
   std::size_t first_row = 0;
@@ -143,20 +159,17 @@ double step_of(const std::vector<float>& column) {
   return 20 * fitting >= 19 * (values.size() - 1) ? step : 0.0;
 }
 
-std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors) {
+std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors& sensors) {
   std::vector<SamplingFault> faults;
   for (const Channel channel : kNoisyChannels) {
     if (!signals.has(channel)) continue;
     SensorNoise& sensor = sensors[channel];
-    // A step that adds less than a tenth to the noise that is known changes nothing.
-    const auto is_coarse = [&sensor](double step) {
-      return step * step / 12.0 > sensor.lsb * sensor.lsb / 12.0 * 1.2 + 0.1 * sensor.variance();
-    };
+    const auto is_coarse = [&sensor](double step) { return step > static_cast<double>(sensor.coarsest_step()); };
     const auto& column = signals.value[index_of(channel)];
     Steps steps{.size = step_of(column)};
     if (!is_coarse(steps.size)) steps = late_steps_of(column);
     if (!is_coarse(steps.size)) continue;
-    const double ratio = steps.size / (sensor.lsb > 0.0 ? sensor.lsb : sensor.noise);
+    const double ratio = steps.size / sensor.unit();
     faults.push_back({.effect = gap::Effect::kSensorQuantization,
                       .channel = channel,
                       .size = ratio,
@@ -164,8 +177,27 @@ std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Se
                       .evidence = kCertain,
                       .onset_s = static_cast<double>(steps.first_row) / signals.rate_hz});
     sensor.lsb = steps.size;
+    signals.rounding_deviance[index_of(channel)] = rounding_deviance(column, steps.size, sensor.noise);
   }
   return faults;
+}
+
+Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> known) {
+  for (const gap::AppliedEffect& effect : known) {
+    if (effect.form.effect != gap::Effect::kSensorQuantization) continue;
+    for (const Channel channel : {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed})
+      sensors[channel].lsb = std::max(sensors[channel].lsb, effect.coefficient[0] * sensors[channel].unit());
+  }
+  return sensors;
+}
+
+void leave_out_known(std::span<const gap::AppliedEffect> known, std::vector<SamplingFault>& faults) {
+  constexpr double kMoreOfIt = 1.5;
+  std::erase_if(faults, [known](const SamplingFault& fault) {
+    return std::any_of(known.begin(), known.end(), [&fault](const gap::AppliedEffect& effect) {
+      return effect.form.effect == fault.effect && fault.size < kMoreOfIt * effect.coefficient[0];
+    });
+  });
 }
 
 std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sensors& sensors) {
@@ -188,7 +220,6 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
 }
 
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors) {
-  constexpr double kLeastFraction = 5.0e-4;
   LostRows lost;  // before rows that repeat others become holes, too
   for (const Channel channel : kNoisyChannels) {
     if (!signals.has(channel)) continue;
@@ -197,7 +228,7 @@ std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Senso
   const LostRows repeated = leave_out_repeated_rows(signals, sensors);
   lost = {lost.count + repeated.count, std::min(lost.first, repeated.first)};
   const auto rows = static_cast<double>(std::max<std::size_t>(signals.rows, 1));
-  if (lost.count < kLeastFraction * rows || lost.count > 0.9 * rows) return std::nullopt;
+  if (lost.count < static_cast<double>(kLeastLostShare) * rows || lost.count > 0.9 * rows) return std::nullopt;
   const std::size_t onset = is_late(lost, rows) ? lost.first : 0;
   const double since = rows - static_cast<double>(onset);
   const double fraction = std::min(lost.count / since, 1.0);

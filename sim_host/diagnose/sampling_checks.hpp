@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
-#include <string>
+#include <span>
 #include <vector>
 
-#include "lib/gap/effect.hpp"
+#include "lib/gap/applied_effect.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 #include "sim_host/diagnose/recording_signals.hpp"
 
@@ -22,8 +22,15 @@ struct SamplingFault {
 /// The step that all values of a column are multiples of; 0 where there is none.
 double step_of(const std::vector<float>& column);
 
-/// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them.
-std::vector<SamplingFault> find_quantization(const RecordingSignals& signals, Sensors& sensors);
+/// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them, and
+/// what their rounding may be worth to a cause noted in `signals`.
+std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors& sensors);
+
+/// The sensors with the steps that the machine is known to have beside them.
+Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> known);
+
+/// Takes out those that the machine is known to have about that much of.
+void leave_out_known(std::span<const gap::AppliedEffect> known, std::vector<SamplingFault>& faults);
 
 /// Takes out the sensors that show one value only, although they have noise: they are dead.
 std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sensors& sensors);

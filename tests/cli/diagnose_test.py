@@ -118,6 +118,16 @@ class Verdicts(Diagnose):
         found = {effect["effect"]: effect for effect in result["which"]}
         self.assertAlmostEqual(found["sample_dropout"]["magnitude"], 0.05, delta=0.01)
 
+    def test_faults_of_the_samples_are_known_to_the_machine_that_is_written(self):
+        for effect, verdict in ("sensor_quantization=4", "no_gap"), ("sample_dropout=0.02", "no_gap"):
+            self.simulate("--effect", effect)
+            found = self.diagnose("--apply", "known.toml")
+            self.assertEqual(self.names(found), [effect.split("=")[0]])
+            self.assertTrue(found["board"]["agrees"], found["board"])
+            again = self.diagnose("--machine", "known.toml")
+            self.assertEqual(again["verdict"], verdict, effect)
+            self.assertTrue(again["board"]["agrees"], again["board"])
+
     def test_lost_rows_do_not_hide_what_else_is_there(self):
         self.simulate("--effect", "feed_force_offset=2")
         lines = (self.folder / "run.csv").read_text().splitlines()

@@ -1,4 +1,4 @@
-// A speed in coarse steps: its noise follows the motion.
+// Coarse steps: their noise follows the motion, and lasts where nothing moves.
 #include <gtest/gtest.h>
 
 #include "tests/unit/driven_axis.hpp"
@@ -17,6 +17,21 @@ TEST(CoarseSpeed, HasLinesOfItsOwn) {
   machine.configuration.sensors[Channel::kFeedSpeed] = {kStepMS / std::sqrt(12.0), kStepMS};
   const DiagnosisResult result = diagnosed(signals, machine);
   EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
+}
+
+// Four standard deviations of the sensors: what rounding takes away while the machine turns on and on was a
+// torque constant that saturates, at 98 %.
+TEST(CoarseSteps, AreNoEffectOfAMachineThatTurnsOnAndOn) {
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const SimulatedRun run{.effects = {effect(Effect::kSensorQuantization, 4.0)},
+                           .duration_s = 12.0,
+                           .seed = seed,
+                           .profile = host::ProfileKind::kProduction};
+    const DiagnosisResult result = diagnosed(record(run), datasheet(0.0));
+    ASSERT_EQ(result.which.size(), 1U) << said(result);
+    EXPECT_EQ(result.which[0].effect, Effect::kSensorQuantization) << said(result);
+    EXPECT_TRUE(result.board_agrees);
+  }
 }
 
 }  // namespace

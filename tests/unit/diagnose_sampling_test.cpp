@@ -42,7 +42,7 @@ TEST(SamplingChecks, TakeAStepForGrantedThatTheMachineFileStates) {
   configuration.sensors[Channel::kSpindleSpeed].lsb = 4.0;
   SimulatedRun run = short_run({});
   run.configuration = configuration;
-  const RecordingSignals signals = record(run);
+  RecordingSignals signals = record(run);
   EXPECT_TRUE(find_quantization(signals, configuration.sensors).empty());
   Sensors without = reference_sensors();
   ASSERT_EQ(find_quantization(signals, without).size(), 1U);
@@ -60,7 +60,7 @@ TEST(SamplingChecks, CountTheRowsThatAreMissing) {
 
 TEST(SamplingChecks, SeeWhenStepsSetIn) {
   constexpr double kOnsetS = 0.6;
-  const RecordingSignals signals = record(short_run({effect(Effect::kSensorQuantization, 20.0, kOnsetS)}));
+  RecordingSignals signals = record(short_run({effect(Effect::kSensorQuantization, 20.0, kOnsetS)}));
   Sensors sensors = reference_sensors();
   const auto faults = find_quantization(signals, sensors);
   ASSERT_FALSE(faults.empty());

@@ -82,7 +82,8 @@ TEST(MonitorGap, SaysNothingOfAMachineThatIsAsDescribed) {
   }
 }
 
-TEST(MonitorGap, LostFramesAreNoEffect) {
+/// Of 100,000 frames, every `one_of` is lost, at random.
+Health after_losing(std::uint32_t one_of) {
   auto monitor = new_monitor();
   host::SimulationOptions options{.profile = ProfileKind::kRich, .duration_s = 10.0};
   host::Simulation simulation(test::gap_configuration(), options);
@@ -90,10 +91,29 @@ TEST(MonitorGap, LostFramesAreNoEffect) {
   std::uint32_t random = 1;
   while (simulation.next(frame)) {
     random = random * 1664525U + 1013904223U;
-    if (random % 500 != 0) (void)monitor->step(frame);
+    if (random / 65536U % one_of != 0) (void)monitor->step(frame);
   }
-  EXPECT_GT(monitor->health().frames_missing, 100U);
-  EXPECT_EQ(monitor->health().gap.verdict, GapVerdict::kNoGap);
+  return monitor->health();
+}
+
+TEST(MonitorGap, FewLostFramesAreNoEffect) {
+  const Health health = after_losing(3000);
+  EXPECT_GT(health.frames_missing, 20U);
+  EXPECT_EQ(health.gap.verdict, GapVerdict::kNoGap);
+}
+
+TEST(MonitorGap, ManyLostFramesAreOnlyThat) {
+  const Health health = after_losing(500);
+  EXPECT_GT(health.frames_missing, 100U);
+  EXPECT_EQ(health.gap.verdict, GapVerdict::kEffect);
+  EXPECT_EQ(health.gap.effect, Effect::kSampleDropout);
+}
+
+TEST(MonitorGap, NamesCoarseSteps) {
+  const Health health =
+      after({.effects = {test::gap_effect(Effect::kSensorQuantization, 4.0)}, .duration_s = 10.0});
+  EXPECT_EQ(health.gap.verdict, GapVerdict::kEffect);
+  EXPECT_EQ(health.gap.effect, Effect::kSensorQuantization);
 }
 
 /// A sensor that fails again and again, for 20 ms out of each 120 ms, so that many stretches of the watch see

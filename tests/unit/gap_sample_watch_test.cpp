@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lib/gap/sample_watch.hpp"
+
+namespace morepro::sample_watch_test {
+namespace {
+
+using gap::Effect;
+using gap::EffectGroup;
+using gap::GapFinding;
+using gap::GapVerdict;
+
+using Watch = gap::SampleWatch<float>;
+using Frame = gap::GapFrame<float>;
+
+constexpr gap::SampleLimits kLimits{.speed_step_rad_s = 1.5F,
+                                    .current_step_a = 0.08F,
+                                    .feed_step_m_s = 0.003F,
+                                    .position_step_m = 0.0F,
+                                    .lost_share = 0.001F};
+
+double in_steps(double value, double step) { return step > 0.0 ? step * std::round(value / step) : value; }
+
+/// A machine that turns at 300 rad/s, with noise of 1 rad/s, 0.05 A and 2 mm/s, and what its samples are made
+/// of.
+struct Samples {
+  double speed_step_rad_s = 0.0;
+  double noise = 1.0;  ///< as a factor
+  int repeated_every = 0;
+  int lost_every = 0;
+  int frames = 3000;
+};
+
+void show(const Samples& samples, Watch& watch, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Frame before;
+  for (int i = 0; i < samples.frames; ++i) {
+    watch.count(1);
+    if (samples.lost_every > 0 && i % samples.lost_every == 0) watch.lose(1);
+    Frame frame;
+    frame.has_speed = frame.has_current = frame.has_feed_speed = true;
+    frame.speed_rad_s =
+        static_cast<float>(in_steps(300.0 + samples.noise * normal(random), samples.speed_step_rad_s));
+    frame.current_a = static_cast<float>(5.0 + 0.05 * samples.noise * normal(random));
+    frame.feed_speed_m_s = static_cast<float>(0.02 + 0.002 * samples.noise * normal(random));
+    if (samples.repeated_every > 0 && i % samples.repeated_every == 0 && i > 0) frame = before;
+    if (i > 0) watch.see(frame, before);
+    before = frame;
+  }
+}
+
+GapFinding after(const Samples& samples) {
+  Watch watch(kLimits);
+  show(samples, watch);
+  return watch.finding();
+}
+
+TEST(SampleWatch, FindsNothingInSoundSamples) {
+  EXPECT_EQ(after({}).verdict, GapVerdict::kNotEnoughData);
+  EXPECT_EQ(Watch(kLimits).finding().verdict, GapVerdict::kNotEnoughData);
+}
+
+TEST(SampleWatch, FindsStepsThatAreCoarserThanTheSensors) {
+  const GapFinding found = after({.speed_step_rad_s = 3.0});
+  EXPECT_EQ(found.verdict, GapVerdict::kEffect);
+  EXPECT_EQ(found.effect, Effect::kSensorQuantization);
+  EXPECT_EQ(found.where, EffectGroup::kSensor);
+  EXPECT_EQ(after({.speed_step_rad_s = 1.0}).verdict, GapVerdict::kNotEnoughData);
+}
+
+TEST(SampleWatch, LooksForNothingThatNobodyAskedFor) {
+  Watch watch({});
+  show({.speed_step_rad_s = 3.0, .lost_every = 10}, watch);
+  EXPECT_EQ(watch.finding().verdict, GapVerdict::kNotEnoughData);
+}
+
+TEST(SampleWatch, SeesThatASensorBecomesCoarseAndFineAgain) {
+  Watch watch(kLimits);
+  show({}, watch);
+  show({.speed_step_rad_s = 3.0}, watch, 2);
+  EXPECT_EQ(watch.finding().effect, Effect::kSensorQuantization);
+  show({}, watch, 3);
+  EXPECT_EQ(watch.finding().verdict, GapVerdict::kNotEnoughData);
+}
+
+TEST(SampleWatch, CountsLostFrames) {
+  const GapFinding found = after({.lost_every = 500});
+  EXPECT_EQ(found.verdict, GapVerdict::kEffect);
+  EXPECT_EQ(found.effect, Effect::kSampleDropout);
+  EXPECT_EQ(found.where, EffectGroup::kSampling);
+  EXPECT_EQ(after({.lost_every = 2000}).verdict, GapVerdict::kNotEnoughData);
+}
+
+TEST(SampleWatch, AFrameThatShowsTheOneBeforeOnceMoreIsLost) {
+  EXPECT_EQ(after({.repeated_every = 100}).effect, Effect::kSampleDropout);
+}
+
+/// Sensors that rest, or have coarse steps, are the same from frame to frame without anything lost.
+TEST(SampleWatch, SensorsAtRestRepeatNothing) {
+  EXPECT_EQ(after({.noise = 0.0}).verdict, GapVerdict::kNotEnoughData);
+}
+
+TEST(SampleWatch, MergesInAnyOrder) {
+  Watch coarse(kLimits);
+  show({.speed_step_rad_s = 3.0}, coarse);
+  Watch losing(kLimits);
+  show({.lost_every = 300}, losing, 2);
+  Watch one = coarse;
+  one.merge(losing);
+  Watch other = losing;
+  other.merge(coarse);
+  EXPECT_EQ(one.finding().effect, Effect::kSensorQuantization);
+  EXPECT_EQ(other.finding().effect, Effect::kSensorQuantization);
+  Watch sound(kLimits);
+  show({}, sound, 3);
+  losing.merge(sound);
+  EXPECT_EQ(losing.finding().effect, Effect::kSampleDropout);
+}
+
+}  // namespace
+}  // namespace morepro::sample_watch_test
