@@ -54,7 +54,7 @@ class GapWatch {
     if (frame.has_angle) angle_rad_ = frame.angle_rad;
     if (frame.has_feed_position && !has_origin_) count_positions_near(frame.feed_position_m);
     stretch_[phase_] = located(frame);
-    if (phase_ > 0) samples_.see(stretch_[phase_], stretch_[phase_ - 1]);
+    if (phase_ >= kSettling) samples_.see(stretch_[phase_], stretch_[phase_ - 1], stretch_[phase_ - 2]);
     move_on(frame.input.contact);
   }
 

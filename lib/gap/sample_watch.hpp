@@ -11,19 +11,22 @@
 
 namespace morepro::gap {
 
-/// Do the samples of a sensor come in steps? Then what they change by from frame to frame is a multiple of the
-/// least change, and that is the step.
+/// Do the samples of a sensor come in steps? Then what they change by, and how that changes from frame to
+/// frame, are multiples of the least one, and that is the step. The former is the same from frame to frame for
+/// all that moves evenly, in steps or not, so the latter is looked at.
 template <class Real>
 class StepWatch {
  public:
-  void see(Real value, Real before) {
-    const Real change = math::abs(value - before);
+  /// Samples of three frames that follow each other, the last one first.
+  void see(Real value, Real before, Real earlier) {
+    const Real change = math::abs((value - before) - (before - earlier));
     const Real rounding = kRounding * math::abs(value);
     if (!(change > Real(3) * rounding)) return;
     if (seen_ == 0 || change < kSmaller * least_) begin(change);
     const Real steps = change / least_;
     const Real tolerance = kTolerance + Real(2) * rounding / least_;
-    const bool fits = steps < kMostSteps && math::abs(steps - nearest(steps)) < tolerance;
+    const bool fits =
+        steps < kMostSteps && tolerance < kNoTolerance && math::abs(steps - nearest(steps)) < tolerance;
     ++seen_;
     if (fits) ++fitting_;
     if (seen_ == kChanges) conclude();
@@ -44,6 +47,7 @@ class StepWatch {
   static constexpr Real kRounding = Real(4.0e-7);  // of recordings with seven digits, and of floats
   static constexpr Real kSmaller = Real(0.9);
   static constexpr Real kTolerance = Real(0.05);
+  static constexpr Real kNoTolerance = Real(0.25);  // every other number fits
   static constexpr Real kMostSteps = Real(1.0e6);  // as a whole number
 
   static Real nearest(Real steps) { return static_cast<Real>(static_cast<int>(steps + Real(0.5))); }
@@ -88,13 +92,15 @@ class SampleWatch {
     frames_ += frames;
   }
 
-  /// Two frames that follow each other. Small instead of fast: a stretch in a second is looked into.
-  [[gnu::noinline, gnu::cold]] void see(const GapFrame<Real>& frame, const GapFrame<Real>& before) {
+  /// Three frames that follow each other, the last one first. Small instead of fast: a stretch in a second is
+  /// looked into.
+  [[gnu::noinline, gnu::cold]] void see(const GapFrame<Real>& frame, const GapFrame<Real>& before,
+                                        const GapFrame<Real>& earlier) {
     int repeated = 0;
     bool is_other = false;
     for (std::size_t k = 0; k < kSensors; ++k) {
-      if (!(frame.*kHas[k]) || !(before.*kHas[k])) continue;
-      steps_[k].see(frame.*kValue[k], before.*kValue[k]);
+      if (!(frame.*kHas[k]) || !(before.*kHas[k]) || !(earlier.*kHas[k])) continue;
+      steps_[k].see(frame.*kValue[k], before.*kValue[k], earlier.*kValue[k]);
       is_other |= frame.*kValue[k] != before.*kValue[k];
       if (steps_[k].is_fine()) ++repeated;
     }

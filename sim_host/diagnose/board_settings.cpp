@@ -70,10 +70,21 @@ double first_onset_s(std::span<const AxisOutcome> outcomes, const DiagnosisResul
   return first < result.duration_s ? first : 0.0;
 }
 
+std::vector<gap::Effect> causes_in(const DiagnosisResult& result) {
+  std::vector<gap::Effect> causes;
+  for (const EffectResult& found : result.which)
+    causes.insert(causes.end(), found.alias_set.begin(), found.alias_set.end());
+  return causes;
+}
+
 }  // namespace
 
-BoardSight sight_of(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result) {
-  return {.since_s = first_onset_s(outcomes, result),
+BoardSight sight_of(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result,
+                    const gap::GapNoise<double>& expected) {
+  return {.verdict = result.verdict,
+          .causes = causes_in(result),
+          .expected_noise = expected,
+          .since_s = first_onset_s(outcomes, result),
           .is_excited = result.verdict != Verdict::kInsufficientExcitation,
           .is_spindle_quiet = is_quiet(Axis::kSpindle, outcomes, result.verdict),
           .is_feed_quiet = is_quiet(Axis::kFeed, outcomes, result.verdict)};

@@ -13,8 +13,10 @@ namespace morepro::host {
 gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap::GapNoise<double>& sensors,
                                 bool is_unexplained, std::span<const gap::Effect> excluded, double rate_hz);
 
-/// From when on, and as what, a board is shown a recording of which this was found.
-BoardSight sight_of(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result);
+/// From when on, and as what, a board is shown a recording of which this was found. `expected`: noise of a
+/// machine like its datasheet.
+BoardSight sight_of(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result,
+                    const gap::GapNoise<double>& expected);
 
 /// The settings as a machine file states them. `rate_ratio`: of the rate that they were found at, over that
 /// of the recording; noise adds up over intervals.

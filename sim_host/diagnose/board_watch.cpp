@@ -160,6 +160,37 @@ gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rat
   return all->finding();
 }
 
+/// Does the board name what the host, which has found the cause, knows not to be there?
+bool is_mistaken(const gap::GapFinding& found, const BoardSight& sight) {
+  if (sight.verdict != Verdict::kEffect || found.verdict != GapVerdict::kEffect) return false;
+  const std::vector<gap::Effect> named = alias_set(found);
+  return std::none_of(named.begin(), named.end(),
+                      [&sight](gap::Effect effect) { return holds(sight.causes, effect); });
+}
+
+/// The board does not look for it any more; false where there is no room to say so.
+bool take_away(gap::Effect effect, gap::GapSettings& settings) {
+  gap::MachineForms& forms = gap::is_of_feed(effect) ? settings.feed.forms : settings.spindle.forms;
+  const gap::EffectForm none{.effect = effect, .kind = 0, .parts = 0, .shape = 0.0F};
+  if (forms.has(effect) || !forms.has_room(none)) return false;
+  forms.form[forms.count++] = none;
+  return true;
+}
+
+gap::GapFinding found_by_refitted(const std::vector<BoardFrame>& frames, double rate_hz,
+                                  const MachineParameters& machine, const BoardSight& sight,
+                                  gap::GapSettings& settings) {
+  constexpr int kMostMistakes = 2;
+  gap::GapFinding found = found_on_board(frames, rate_hz, machine, sight, settings);
+  if (sight.verdict == Verdict::kUnexplained && found.verdict != GapVerdict::kUnexplained) {
+    settings.noise = sight.expected_noise;
+    found = found_on_board(frames, rate_hz, machine, sight, settings);
+  }
+  for (int i = 0; i < kMostMistakes && is_mistaken(found, sight) && take_away(found.effect, settings); ++i)
+    found = found_on_board(frames, rate_hz, machine, sight, settings);
+  return found;
+}
+
 }  // namespace
 
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
@@ -167,7 +198,7 @@ gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachinePar
                                gap::GapSettings& settings) {
   // What a recording does not hold, the machine file does; no value of it is fitted.
   const std::vector<BoardFrame> frames = board_frames(signals, datasheet);
-  const gap::GapFinding found = found_on_board(frames, signals.rate_hz, refitted, sight, settings);
+  const gap::GapFinding found = found_by_refitted(frames, signals.rate_hz, refitted, sight, settings);
   if (found.verdict != GapVerdict::kNoGap && found.verdict != GapVerdict::kParameterError) return found;
   // Beside wrong values everything looks like something.
   BoardSight of_values = sight;

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "lib/gap/gap_watch_finding.hpp"
 #include "sim_host/diagnose/diagnosis_result.hpp"
 #include "sim_host/diagnose/recording_signals.hpp"
@@ -7,6 +9,9 @@ namespace morepro::host {
 
 /// What of a recording a board is shown, and how it is to be judged.
 struct BoardSight {
+  Verdict verdict = Verdict::kNoGap;       ///< the host's
+  std::vector<gap::Effect> causes{};       ///< that the host has found, and what looks like them
+  gap::GapNoise<double> expected_noise{};  ///< of such a machine: what was fitted holds what has no name, too
   double since_s = 0.0;     ///< what it has seen before has faded: a cause that sets in then is there always
   bool is_excited = false;  ///< the recording tells causes apart; the least excitation that a name needs
                             ///< becomes half of what it has, where that is less
@@ -19,6 +24,7 @@ struct BoardSight {
 /// watches that begin a stretch as soon as they may are merged, as of a board that has seen the machine for
 /// so long that it has seen all of this. It is given the values that fit best without any effect, `refitted`;
 /// where it finds nothing beside them, those of the `datasheet`: what it finds then is that they are wrong.
+/// What noise of this machine has it take for an effect is taken away from it in `settings`.
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
                                const MachineParameters& refitted, const BoardSight& sight,
                                gap::GapSettings& settings);

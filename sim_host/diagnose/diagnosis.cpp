@@ -345,7 +345,7 @@ class Diagnosis {
     settings.samples = samples_for_board(expected);
     result_.board = watch_on_board(signals_, machine_.configuration.machine,
                                    refitted(machine_.configuration.machine, outcomes_),
-                                   sight_of(outcomes_, result_), settings);
+                                   sight_of(outcomes_, result_, datasheet_.noise), settings);
     result_.board_agrees = agree(result_.board, result_);
     result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
     for (gap::GapLimits* limits : {&result_.for_board.spindle, &result_.for_board.feed})

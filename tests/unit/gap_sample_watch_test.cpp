@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "lib/gap/sample_watch.hpp"
 
@@ -38,6 +40,7 @@ void show(const Samples& samples, Watch& watch, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   Frame before;
+  Frame earlier;
   for (int i = 0; i < samples.frames; ++i) {
     watch.count(1);
     if (samples.lost_every > 0 && i % samples.lost_every == 0) watch.lose(1);
@@ -48,8 +51,8 @@ void show(const Samples& samples, Watch& watch, unsigned seed = 1) {
     frame.current_a = static_cast<float>(5.0 + 0.05 * samples.noise * normal(random));
     frame.feed_speed_m_s = static_cast<float>(0.02 + 0.002 * samples.noise * normal(random));
     if (samples.repeated_every > 0 && i % samples.repeated_every == 0 && i > 0) frame = before;
-    if (i > 0) watch.see(frame, before);
-    before = frame;
+    if (i > 1) watch.see(frame, before, earlier);
+    earlier = std::exchange(before, frame);
   }
 }
 
@@ -70,6 +73,34 @@ TEST(SampleWatch, FindsStepsThatAreCoarserThanTheSensors) {
   EXPECT_EQ(found.effect, Effect::kSensorQuantization);
   EXPECT_EQ(found.where, EffectGroup::kSensor);
   EXPECT_EQ(after({.speed_step_rad_s = 1.0}).verdict, GapVerdict::kNotEnoughData);
+}
+
+/// A position far away, of which a float shows the noise in a few steps.
+TEST(SampleWatch, TheStepsOfAFloatAreNotTheSensors) {
+  gap::StepWatch<float> steps;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  float before = 0.3F;
+  float earlier = 0.3F;
+  for (int i = 0; i < 3000; ++i) {
+    const auto position_m = static_cast<float>(0.3 + 3.0e-7 * normal(random));
+    steps.see(position_m, before, earlier);
+    earlier = std::exchange(before, position_m);
+  }
+  EXPECT_EQ(steps.step(), 0.0F);
+}
+
+/// From frame to frame it changes by the same, but for its noise.
+TEST(SampleWatch, APositionThatMovesEvenlyIsNotInSteps) {
+  gap::StepWatch<float> steps;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::array<float, 3> last{};
+  for (int i = 0; i < 3000; ++i) {
+    last = {static_cast<float>(2.0e-5 * i + 3.0e-7 * normal(random)), last[0], last[1]};
+    if (i > 1) steps.see(last[0], last[1], last[2]);
+  }
+  EXPECT_EQ(steps.step(), 0.0F);
 }
 
 TEST(SampleWatch, LooksForNothingThatNobodyAskedFor) {

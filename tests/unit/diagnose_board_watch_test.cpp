@@ -1,0 +1,51 @@
+// What a board is told by the host that has seen the same recording.
+#include <gtest/gtest.h>
+
+#include "sim_host/diagnose/board_watch.hpp"
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+gap::GapFinding watched(const RecordingSignals& signals, const host::BoardSight& sight,
+                        gap::GapSettings& settings) {
+  const MachineParameters machine = datasheet(0.0).configuration.machine;
+  return host::watch_on_board(signals, machine, machine, sight, settings);
+}
+
+gap::GapSettings settings_with_noise(double share) {
+  gap::GapSettings settings;
+  settings.noise = host::usual_noise(reference_sensors());
+  host::expect_process_noise(share, settings.noise);
+  return settings;
+}
+
+TEST(BoardWatch, DoesNotLookForWhatTheHostKnowsNotToBeThere) {
+  const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 3.0)}});
+  gap::GapSettings settings = settings_with_noise(0.01);
+  const host::BoardSight right{.verdict = host::Verdict::kEffect, .causes = {Effect::kFeedForceOffset}};
+  EXPECT_EQ(watched(signals, right, settings).effect, Effect::kFeedForceOffset);
+  EXPECT_EQ(settings.feed.forms.count, 0U);
+  const host::BoardSight other{.verdict = host::Verdict::kEffect, .causes = {Effect::kFeedDriveLag}};
+  const gap::GapFinding found = watched(signals, other, settings);
+  EXPECT_TRUE(settings.feed.forms.has(Effect::kFeedForceOffset));
+  EXPECT_NE(found.effect, Effect::kFeedForceOffset);
+}
+
+/// Noise that was fitted to what has no name holds it: of a machine as it should be there is less.
+TEST(BoardWatch, SeesWhatNoiseWasFittedTo) {
+  const RecordingSignals signals = record({.process_noise = 8.0});
+  const gap::GapSettings fitted = settings_with_noise(1.0);
+  gap::GapSettings settings = fitted;
+  const gap::GapNoise<double> expected = settings_with_noise(0.01).noise;
+  const auto with_noise = [&] { return watched(signals, {.expected_noise = expected}, settings); };
+  EXPECT_NE(with_noise().verdict, gap::GapVerdict::kUnexplained);
+  settings = fitted;
+  const auto nameless = watched(
+      signals, {.verdict = host::Verdict::kUnexplained, .expected_noise = expected}, settings);
+  EXPECT_EQ(nameless.verdict, gap::GapVerdict::kUnexplained);
+  EXPECT_EQ(settings.noise.feed_step, expected.feed_step);
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test
