@@ -65,6 +65,7 @@ constexpr bool bends(Effect effect) {
     case Effect::kContactTemperatureDependence:
     case Effect::kToolWearRamp:
     case Effect::kTorqueConstantSaturation:
+    case Effect::kFeedAsymmetricFriction:
     case Effect::kFeedCuttingSpeedDependence:
     case Effect::kFeedContactDrift:
     case Effect::kFeedForceSaturation:

@@ -180,6 +180,8 @@ Real bend(const EffectForm& form, const EffectSignals<Real>& s, const EffectScal
       return square(s.current_a / k.current_a);
     case Effect::kFeedForceSaturation:
       return square(s.feed_force_n / k.feed_force_n);
+    case Effect::kFeedAsymmetricFriction:
+      return math::abs(s.feed_speed_m_s) / k.feed_speed_m_s - Real(1);
     default:
       if (form.effect == Effect::kFeedCuttingSpeedDependence && form.kind == 1)
         return math::abs(s.feed_speed_m_s) / k.feed_speed_m_s - Real(1);

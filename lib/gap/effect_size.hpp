@@ -120,9 +120,12 @@ inline AppliedEffect restated(AppliedEffect one, const EffectScales<double>& fro
     case Effect::kFeedForceSaturation:
       one.coefficient[1] *= square(to.feed_force_n / from.feed_force_n);
       break;
-    case Effect::kFeedAsymmetricFriction:
-      one.coefficient[0] *= to.feed_speed_m_s / from.feed_speed_m_s;
+    case Effect::kFeedAsymmetricFriction: {
+      const double ratio = to.feed_speed_m_s / from.feed_speed_m_s;
+      one.coefficient[0] = ratio * (one.coefficient[0] + bent * (ratio - 1.0));
+      one.coefficient[1] *= square(ratio);
       break;
+    }
     default:
       break;
   }

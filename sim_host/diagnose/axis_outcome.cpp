@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim_host/diagnose/effect_naming.hpp"
+#include "sim_host/diagnose/causes.hpp"
 #include "sim_host/diagnose/name_checks.hpp"
 #include "sim_host/diagnose/nominal_fit.hpp"
 #include "sim_host/diagnose/surprises.hpp"

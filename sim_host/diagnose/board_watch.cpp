@@ -160,9 +160,12 @@ gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rat
   return all->finding();
 }
 
-/// Does the board name what the host, which has found the cause, knows not to be there?
+/// Does the board name what the host, which has found another cause or none that has a name, knows not to
+/// explain it?
 bool is_mistaken(const gap::GapFinding& found, const BoardSight& sight) {
-  if (sight.verdict != Verdict::kEffect || found.verdict != GapVerdict::kEffect) return false;
+  if (found.verdict != GapVerdict::kEffect) return false;
+  if (sight.verdict == Verdict::kUnexplained) return true;
+  if (sight.verdict != Verdict::kEffect) return false;
   const std::vector<gap::Effect> named = alias_set(found);
   return std::none_of(named.begin(), named.end(),
                       [&sight](gap::Effect effect) { return holds(sight.causes, effect); });
@@ -172,15 +175,19 @@ bool is_mistaken(const gap::GapFinding& found, const BoardSight& sight) {
 bool take_away(gap::Effect effect, gap::GapSettings& settings) {
   gap::MachineForms& forms = gap::is_of_feed(effect) ? settings.feed.forms : settings.spindle.forms;
   const gap::EffectForm none{.effect = effect, .kind = 0, .parts = 0, .shape = 0.0F};
-  if (forms.has(effect) || !forms.has_room(none)) return false;
-  forms.form[forms.count++] = none;
+  const auto end = forms.form.begin() + forms.count;
+  const auto known =
+      std::find_if(forms.form.begin(), end, [effect](const auto& form) { return form.effect == effect; });
+  if (known == end && !forms.has_room(none)) return false;
+  if (known == end) ++forms.count;
+  *known = none;
   return true;
 }
 
 gap::GapFinding found_by_refitted(const std::vector<BoardFrame>& frames, double rate_hz,
                                   const MachineParameters& machine, const BoardSight& sight,
                                   gap::GapSettings& settings) {
-  constexpr int kMostMistakes = 2;
+  constexpr int kMostMistakes = 3;
   gap::GapFinding found = found_on_board(frames, rate_hz, machine, sight, settings);
   if (sight.verdict == Verdict::kUnexplained && found.verdict != GapVerdict::kUnexplained) {
     settings.noise = sight.expected_noise;

@@ -14,6 +14,7 @@
 #include "sim_host/diagnose/axis_outcome.hpp"
 #include "sim_host/diagnose/board_settings.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
+#include "sim_host/diagnose/causes.hpp"
 #include "sim_host/diagnose/clock_jitter.hpp"
 #include "sim_host/diagnose/current_drive.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
@@ -250,11 +251,21 @@ class Diagnosis {
       effect.alias_set = {fault.effect};
       if (!is_named(fault.effect)) result_.which.push_back(effect);
     }
-    for (const AxisOutcome& outcome : outcomes_)
-      for (const Finding& finding : outcome.diagnosis.found)
-        if (!is_named(finding.effect.form.effect)) result_.which.push_back(effect_of(finding, outcome));
+    for (const AxisOutcome& outcome : outcomes_) rank(outcome);
     std::stable_sort(result_.which.begin(), result_.which.end(),
                      [](const EffectResult& a, const EffectResult& b) { return a.evidence > b.evidence; });
+  }
+
+  /// Each cause with what gives it its shape.
+  void rank(const AxisOutcome& outcome) {
+    const std::vector<Finding>& found = outcome.diagnosis.found;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (is_named(found[i].effect.form.effect) || shaped_by(found, i)) continue;
+      EffectResult effect = effect_of(found[i], outcome);
+      for (std::size_t k = 0; k < found.size(); ++k)
+        if (shaped_by(found, k) == i) take_shape(effect_of(found[k], outcome), effect);
+      result_.which.push_back(std::move(effect));
+    }
   }
 
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <span>
 
 #include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/diagnosis_result.hpp"
@@ -32,15 +31,12 @@ struct NamingContext {
   std::size_t causes = 1;      ///< that the axis needs, as causes_of() counts them
 };
 
-/// Independent causes among the effects of an axis: the parts of friction are one.
-std::size_t causes_of(std::span<const Finding> found);
-
-/// Is this one of them, without other parts?
-bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index);
-
 /// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size,
 /// which depends on the reference point that it is stated at.
 EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context);
+
+/// Joins to a cause what gives it its shape: lags one after the other add up, and which is which nobody knows.
+void take_shape(const EffectResult& shape, EffectResult& cause);
 
 /// Standard error of the size of an effect, as a share of the size.
 double relative_size_error(const Finding& finding, const AxisFit& fit, double temperature);

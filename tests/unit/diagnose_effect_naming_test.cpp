@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "lib/gap/effect_size.hpp"
+#include "sim_host/diagnose/causes.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
 
 namespace morepro::host {
@@ -29,6 +32,53 @@ TEST(Causes, OfFrictionAreOne) {
   EXPECT_EQ(causes({Effect::kFeedCoulombFriction, Effect::kFeedForceOffset, Effect::kFeedAsymmetricFriction}),
             1U);
   EXPECT_EQ(causes({Effect::kFeedCoulombFriction, Effect::kFeedForceOffset, Effect::kFeedSpring}), 2U);
+}
+
+/// A finding of this size in the unit of the catalogue.
+Finding found_as(Effect effect, double size) {
+  Finding finding;
+  finding.effect = gap::applied(effect, size, {});
+  return finding;
+}
+
+/// What the second of two effects gives its shape to.
+std::optional<std::size_t> shaped_by_second(Effect first, double size, Effect second, double other) {
+  return shaped_by(std::vector{found_as(first, size), found_as(second, other)}, 1);
+}
+
+TEST(Causes, ADelayBesideALagIsItsSecondPole) {
+  EXPECT_EQ(shaped_by_second(Effect::kCurrentBandwidth, 2.0e-4, Effect::kCurrentDelay, 1.0e-4), 0U);
+  EXPECT_EQ(shaped_by_second(Effect::kDriveLag, 2.0e-4, Effect::kCurrentBandwidth, 1.0e-4), 0U);
+  EXPECT_FALSE(shaped_by_second(Effect::kCurrentBandwidth, 2.0e-4, Effect::kCurrentDelay, 1.6e-4));
+  EXPECT_FALSE(shaped_by_second(Effect::kCurrentBandwidth, 2.0e-4, Effect::kSpindleSpeedDelay, 1.0e-4));
+}
+
+TEST(Causes, ALittleFrictionAtRestIsTheShapeOfFriction) {
+  EXPECT_EQ(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, -0.6), 0U);
+  EXPECT_FALSE(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, 2.0));
+  EXPECT_EQ(shaped_by_second(Effect::kFeedAsymmetricFriction, 5.0, Effect::kFeedForceOffset, 0.3), 0U);
+  EXPECT_FALSE(shaped_by_second(Effect::kFeedAsymmetricFriction, 5.0, Effect::kFeedForceOffset, -1.0));
+}
+
+TEST(Causes, WhatGivesAShapeIsNone) {
+  const std::vector found{found_as(Effect::kSpindleSpeedBandwidth, 1.0e-3),
+                          found_as(Effect::kSpindleSpeedDelay, 1.0e-4),
+                          found_as(Effect::kSpindleWindage, 1.0e-6)};
+  EXPECT_EQ(causes_of(found), 2U);
+  EXPECT_TRUE(is_cause_of_its_own(found, 0));
+  EXPECT_FALSE(is_cause_of_its_own(found, 1));
+}
+
+TEST(Causes, LagsOneAfterTheOtherAddUp) {
+  EffectResult lag{.effect = Effect::kDriveLag, .magnitude = 2.0e-4, .standard_error = 1.0e-6};
+  lag.alias_set = {Effect::kDriveLag};
+  take_shape({.effect = Effect::kCurrentDelay, .magnitude = 1.0e-4, .standard_error = 1.0e-6}, lag);
+  EXPECT_DOUBLE_EQ(lag.magnitude, 3.0e-4);
+  EXPECT_NEAR(lag.standard_error, 0.5e-4, 1.0e-6);
+  EXPECT_EQ(lag.alias_set, (std::vector{Effect::kDriveLag, Effect::kCurrentDelay}));
+  EffectResult friction{.effect = Effect::kFeedCoulombFriction, .magnitude = 5.0};
+  take_shape({.effect = Effect::kFeedStribeckFriction, .magnitude = 0.6}, friction);
+  EXPECT_EQ(friction.magnitude, 5.0);
 }
 
 /// A finding with rivals of this evidence, itself first.

@@ -175,6 +175,7 @@ TEST(AppliedEffect, BendsByItsSecondPart) {
       {Effect::kFeedCuttingSpeedDependence, 1, -0.5},
       {Effect::kFeedContactDrift, 0, 0.4},
       {Effect::kFeedForceSaturation, 0, force * force},
+      {Effect::kFeedAsymmetricFriction, 0, 0.009 / scales().feed_speed_m_s - 1.0},
   };
   std::size_t effects = 0;
   for (const EffectInfo& info : kEffects) effects += bends(info.effect) ? 1 : 0;

@@ -1,0 +1,83 @@
+#include "sim_host/diagnose/causes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/gap/effect_catalogue.hpp"
+#include "sim_host/diagnose/effect_family.hpp"
+
+namespace morepro::host {
+namespace {
+
+using gap::Effect;
+
+// Two equal poles are a lag and a delay of half of it, or a little more. Of ten single lags of two poles that
+// another simulator made all had one of 0.08 .. 0.51 of it.
+constexpr double kSecondPole = 0.6;
+// Where friction has another shape than the catalogue's a Stribeck part of 0.08 .. 0.18 of it is left.
+constexpr double kOtherShape = 0.25;
+
+// Friction that goes with another power of the speed than the first leaves a constant force of 0.01 .. 0.06.
+constexpr double kOtherPower = 0.1;
+
+bool is_part_of_friction(Effect effect) {
+  return effect == Effect::kFeedForceOffset || effect == Effect::kFeedAsymmetricFriction ||
+         family_of(effect) == Family::kDryFriction;
+}
+
+std::size_t parts_of_friction(std::span<const Finding> found) {
+  const auto is_part = [](const Finding& f) { return is_part_of_friction(f.effect.form.effect); };
+  return static_cast<std::size_t>(std::count_if(found.begin(), found.end(), is_part));
+}
+
+bool is_its_second_pole(const gap::AppliedEffect& part, const gap::AppliedEffect& whole) {
+  return is_lag(family_of(part.form.effect)) &&
+         gap::info_of(whole.form.effect).aliases.contains(part.form.effect) &&
+         static_cast<double>(part.form.shape) < kSecondPole * static_cast<double>(whole.form.shape);
+}
+
+bool is_its_low_end(const gap::AppliedEffect& part, const gap::AppliedEffect& whole) {
+  const bool is_stribeck = (part.form.effect == Effect::kFeedStribeckFriction &&
+                            whole.form.effect == Effect::kFeedCoulombFriction) ||
+                           (part.form.effect == Effect::kSpindleStribeckFriction &&
+                            whole.form.effect == Effect::kSpindleCoulombFriction);
+  return is_stribeck && std::fabs(part.coefficient[0]) < kOtherShape * std::fabs(whole.coefficient[0]);
+}
+
+bool is_its_constant(const gap::AppliedEffect& part, const gap::AppliedEffect& whole) {
+  return part.form.effect == Effect::kFeedForceOffset &&
+         whole.form.effect == Effect::kFeedAsymmetricFriction &&
+         std::fabs(part.coefficient[0]) < kOtherPower * std::fabs(whole.coefficient[0]);
+}
+
+}  // namespace
+
+std::optional<std::size_t> shaped_by(std::span<const Finding> found, std::size_t index) {
+  const gap::AppliedEffect& part = found[index].effect;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const gap::AppliedEffect& whole = found[i].effect;
+    if (is_its_second_pole(part, whole) || is_its_low_end(part, whole) || is_its_constant(part, whole))
+      return i;
+  }
+  return std::nullopt;
+}
+
+std::size_t causes_of(std::span<const Finding> found) {
+  std::size_t causes = 0;
+  std::size_t parts = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (shaped_by(found, i)) continue;
+    if (is_part_of_friction(found[i].effect.form.effect))
+      ++parts;
+    else
+      ++causes;
+  }
+  return causes + std::min<std::size_t>(parts, 1);
+}
+
+bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index) {
+  if (shaped_by(found, index)) return false;
+  return !is_part_of_friction(found[index].effect.form.effect) || parts_of_friction(found) == 1;
+}
+
+}  // namespace morepro::host
