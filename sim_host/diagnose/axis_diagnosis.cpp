@@ -20,7 +20,6 @@ constexpr std::size_t kMostEffects = 4;
 // Standard error over size. What is worth its evidence is known to a seventh; a size that is not known at all
 // let the parameters settle elsewhere, and that was its worth.
 constexpr double kUnsureSize = 0.5;
-constexpr double kLeastShareOfFamily = 0.08;
 // Beside an effect that the machine file states, with the shape that a recording has given it.
 constexpr double kLeastShareOfKnown = 0.02;
 
@@ -200,16 +199,14 @@ class DiagnosisSearch {
   /// Evidence that a finding needs beside the others.
   double enough_for(const Finding& finding) const {
     double enough = diagnosis_.least_evidence;
-    const Family family = family_of(finding.effect.form.effect);
-    const bool is_slow = !is_fast(finding.effect.form.effect);
+    const gap::Effect effect = finding.effect.form.effect;
     for (const Finding& other : diagnosis_.found) {
-      if (is_slow && is_fast(other.effect.form.effect)) continue;
-      const bool is_related = family != Family::kNone && family == family_of(other.effect.form.effect);
-      enough = std::max(enough, (is_related ? kLeastShareOfFamily : kLeastShare) * other.evidence);
+      const gap::Effect beside = other.effect.form.effect;
+      if (!is_fast(effect) && is_fast(beside)) continue;
+      enough = std::max(enough, least_share(effect, beside, kLeastShare) * other.evidence);
     }
     for (const gap::AppliedEffect& known : fit_.model().known) {
-      const bool is_related = family != Family::kNone && family == family_of(known.form.effect);
-      const double share = is_related ? kLeastShareOfFamily : kLeastShareOfKnown;
+      const double share = least_share(effect, known.form.effect, kLeastShareOfKnown);
       enough = std::max(enough, share * diagnosis_.known_evidence);
     }
     return diagnosis_.needed(finding, enough);

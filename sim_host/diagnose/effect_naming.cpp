@@ -31,9 +31,9 @@ constexpr double kAliasShare = 0.4;
 // Three and more independent causes at once are rarer than one that has no name and looks like them: on
 // tests/blind half of the names are right then.
 constexpr double kCrowded = 0.5;
-// What a sensor or a flux does that wanders by itself, laws of what was measured follow for a while: of
-// eleven names that kept this little beside noise that may last five were right.
-constexpr double kWandering = 0.5;
+// What a sensor or a flux does that wanders by itself, laws of what was measured follow for a while: of 32
+// names that kept this little beside noise that may last, alone or with one other, 30 were right.
+constexpr double kWandering = 0.9;
 // Beside structure without a name, which may be all there is: of 30 such names on tests/blind one was right.
 constexpr double kBesideUnexplained = 0.1;
 // Of a second pole: nine sums with it were off by 0.4 of it, as a root mean square, without it by 0.9.
