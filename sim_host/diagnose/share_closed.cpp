@@ -87,12 +87,15 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
   constexpr double kClosed = 0.7;
   constexpr double kPredicted = 0.5;
   constexpr double kVisible = 1.15;  // residual ratio
-  constexpr double kNothing = 0.3;   // whatever is predicted of what little there is to predict
+  constexpr double kNothing = 0.3;   // whatever is predicted of what little a step has to predict
   const double most_closed = shrinkage.interval90[1];
+  const auto is_predicted = [](const Comparisons& errors, const BalanceResult& balance) {
+    return share_predicted(errors[static_cast<std::size_t>(balance.balance)]) >= kPredicted;
+  };
   const auto shows_much = [&](const BalanceResult& balance) {
-    const auto& predicted = shrinkage.one_step_nrmse[static_cast<std::size_t>(balance.balance)];
+    const bool is_nothing = most_closed < kNothing && !is_predicted(shrinkage.free_run_nrmse, balance);
     return balance.residual_ratio_after > kVisible &&
-           (most_closed < kNothing || share_predicted(predicted) < kPredicted);
+           (is_nothing || !is_predicted(shrinkage.one_step_nrmse, balance));
   };
   return most_closed < kClosed && std::any_of(where.begin(), where.end(), shows_much);
 }

@@ -30,10 +30,19 @@ TEST(HardlyClosed, IsAGapOfWhichNamesTakeAHalf) {
   EXPECT_TRUE(is_hardly_closed(shrinkage(0.56, 4.4, 4.2), std::array{balance(1.23)}));
 }
 
+/// The same with errors of a free run.
+Shrinkage run_free(Shrinkage steps, double refit, double with_effect) {
+  steps.free_run_nrmse[kFeed] =
+      ModelComparison{.datasheet = {9.0}, .refit = {refit}, .with_effect = {with_effect}, .noise_floor = 1.0};
+  return steps;
+}
+
 // However well a model predicts a step in which there was hardly anything to predict.
 TEST(HardlyClosed, IsAGapOfWhichSurelyNothingIsClosed) {
-  EXPECT_TRUE(is_hardly_closed(shrinkage(0.14, 1.0, 1.0), std::array{balance(1.52)}));
-  EXPECT_FALSE(is_hardly_closed(shrinkage(0.14, 1.0, 1.0), std::array{balance(1.1)}));
+  const Shrinkage nothing = shrinkage(0.14, 1.0, 1.0);
+  EXPECT_TRUE(is_hardly_closed(run_free(nothing, 2.7, 3.0), std::array{balance(1.52)}));
+  EXPECT_FALSE(is_hardly_closed(run_free(nothing, 2.7, 3.0), std::array{balance(1.1)}));
+  EXPECT_FALSE(is_hardly_closed(run_free(nothing, 1.2, 1.0), std::array{balance(2.52)}));
 }
 
 TEST(HardlyClosed, IsNoGapThatIsMostlyGone) {
