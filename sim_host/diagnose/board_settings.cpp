@@ -6,6 +6,7 @@
 #include "lib/gap/board_forms.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "lib/monitor/configuration_check.hpp"
+#include "sim_host/diagnose/causes.hpp"
 #include "sim_host/diagnose/innovation_pass.hpp"
 
 namespace morepro::host {
@@ -61,12 +62,15 @@ bool is_quiet(Axis axis, std::span<const AxisOutcome> outcomes, Verdict verdict)
   return verdict != Verdict::kUnexplained && std::none_of(outcomes.begin(), outcomes.end(), has_effect);
 }
 
-/// When the first effect sets in; 0: it is there from the start, as what has no name.
+/// When the first cause sets in; 0: it is there from the start, as what has no name.
 double first_onset_s(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result) {
   if (result.verdict != Verdict::kEffect) return 0.0;
   double first = result.duration_s;
-  for (const AxisOutcome& outcome : outcomes)
-    for (const Finding& finding : outcome.diagnosis.found) first = std::min(first, finding.effect.onset_s);
+  for (const AxisOutcome& outcome : outcomes) {
+    const std::vector<Finding>& found = outcome.diagnosis.found;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (!shaped_by(found, i)) first = std::min(first, found[i].effect.onset_s);
+  }
   return first < result.duration_s ? first : 0.0;
 }
 
