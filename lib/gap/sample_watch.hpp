@@ -12,16 +12,16 @@
 namespace morepro::gap {
 
 /// Do the samples of a sensor come in steps? Then what they change by, and how that changes from frame to
-/// frame, are multiples of the least one, and that is the step. The former is the same from frame to frame for
-/// all that moves evenly, in steps or not, so the latter is looked at.
+/// frame, are multiples of the least one, and that is the step. The former is the same from frame to frame
+/// for all that moves evenly, in steps or not, so the latter is looked at.
 template <class Real>
 class StepWatch {
  public:
   /// Samples of three frames that follow each other, the last one first.
   void see(Real value, Real before, Real earlier) {
     const Real change = math::abs((value - before) - (before - earlier));
-    const Real rounding = kRounding * math::abs(value);
-    if (!(change > Real(3) * rounding)) return;
+    const Real rounding = kRounding * (math::abs(value) + math::abs(before) + math::abs(earlier));
+    if (!(change > Real(2) * rounding)) return;
     if (seen_ == 0 || change < kSmaller * least_) begin(change);
     const Real steps = change / least_;
     const Real tolerance = kTolerance + Real(2) * rounding / least_;
@@ -48,7 +48,7 @@ class StepWatch {
   static constexpr Real kSmaller = Real(0.9);
   static constexpr Real kTolerance = Real(0.05);
   static constexpr Real kNoTolerance = Real(0.25);  // every other number fits
-  static constexpr Real kMostSteps = Real(1.0e6);  // as a whole number
+  static constexpr Real kMostSteps = Real(1.0e6);   // as a whole number
 
   static Real nearest(Real steps) { return static_cast<Real>(static_cast<int>(steps + Real(0.5))); }
 
@@ -70,8 +70,8 @@ class StepWatch {
   bool is_known_ = false;
 };
 
-/// Faults of the acquisition, which stand in the samples themselves: steps that are coarser than the sensor's,
-/// frames that are lost or show the one before once more.
+/// Faults of the acquisition, which stand in the samples themselves: steps that are coarser than the
+/// sensor's, frames that are lost or show the one before once more.
 template <class Real>
 class SampleWatch {
  public:

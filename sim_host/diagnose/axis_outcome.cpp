@@ -115,9 +115,10 @@ void drop_what_is_left_of_shapes(AxisOutcome& outcome) {
 /// Evidence below which nothing is looked at.
 double least_evidence(Axis axis, const RecordingSignals& signals) {
   const auto rounding = [&signals](Channel channel) { return signals.rounding_deviance[index_of(channel)]; };
-  return std::max(kFixedThreshold, axis == Axis::kSpindle
-                                       ? rounding(Channel::kSpindleSpeed) + rounding(Channel::kArmatureCurrent)
-                                       : rounding(Channel::kFeedSpeed) + rounding(Channel::kFeedPosition));
+  return std::max(kFixedThreshold,
+                  axis == Axis::kSpindle
+                      ? rounding(Channel::kSpindleSpeed) + rounding(Channel::kArmatureCurrent)
+                      : rounding(Channel::kFeedSpeed) + rounding(Channel::kFeedPosition));
 }
 
 AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const DiagnosisOptions& options) {

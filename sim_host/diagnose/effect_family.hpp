@@ -54,8 +54,8 @@ constexpr bool is_law_of_cut(gap::Effect effect) {
   }
 }
 
-/// Share of the evidence of an effect that another one of the same axis needs beside it; what the shape of the
-/// first one leaves has less.
+/// Share of the evidence of an effect that another one of the same axis needs beside it; what the shape of
+/// the first one leaves has less.
 constexpr double least_share(gap::Effect effect, gap::Effect beside, double of_strangers) {
   constexpr double kOfFamily = 0.08;
   constexpr double kOfCut = 0.2;  // of five that were not there four had 0.15 .. 0.17 (two simulators)

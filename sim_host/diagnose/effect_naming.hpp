@@ -35,7 +35,8 @@ struct NamingContext {
 /// which depends on the reference point that it is stated at.
 EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context);
 
-/// Joins to a cause what gives it its shape: lags one after the other add up, and which is which nobody knows.
+/// Joins to a cause what gives it its shape: lags one after the other add up, and which is which nobody
+/// knows.
 void take_shape(const EffectResult& shape, EffectResult& cause);
 
 /// Standard error of the size of an effect, as a share of the size.

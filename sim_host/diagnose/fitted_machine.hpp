@@ -17,8 +17,9 @@ struct ScalesOfEffects {
 /// The machine with the values that fit best without any effect.
 MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcome> outcomes);
 
-/// The machine with the values that fit best beside the effects that were found, and with these and the faults
-/// of its samples, as it is after the recording: what set in stays. A coarse step becomes its sensor's.
+/// The machine with the values that fit best beside the effects that were found, and with these and the
+/// faults of its samples, as it is after the recording: what set in stays. A coarse step becomes its
+/// sensor's.
 MachineDescription machine_with_effects(MachineDescription machine, std::span<const AxisOutcome> outcomes,
                                         std::span<const SamplingFault> faults, const ScalesOfEffects& scales);
 

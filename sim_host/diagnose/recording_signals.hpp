@@ -34,8 +34,8 @@ struct RecordingSignals {
   double lost_voltage_v2 = 0.0;
   double lost_force_n2 = 0.0;
 
-  /// Deviance, by channel, that coarse steps may be worth to a cause: where a signal rests, rounding takes the
-  /// same away from all of its samples.
+  /// Deviance, by channel, that coarse steps may be worth to a cause: where a signal rests, rounding takes
+  /// the same away from all of its samples.
   std::array<double, kChannelCount> rounding_deviance{};
 
   std::vector<double> cutting_time_s;  ///< before each row; empty without contact

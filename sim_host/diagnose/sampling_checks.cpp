@@ -99,8 +99,8 @@ bool is_late(const LostRows& lost, double rows) {
 }
 
 /// Of `column`, recorded in steps of `step`. Noise moves a sample that rests from step to step, so that their
-/// mean is off by a sine of where between two steps the signal is, of amplitude step/pi exp(-2 (pi noise/step)^2)
-/// (Widrow and Kollar, Quantization Noise, 2008).
+/// mean is off by a sine of where between two steps the signal is, of amplitude step/pi exp(-2 (pi
+/// noise/step)^2) (Widrow and Kollar, Quantization Noise, 2008).
 double rounding_deviance(const std::vector<float>& column, double step, double noise) {
   double resting = 0.0;
   for (std::size_t row = 1; row < column.size(); ++row)
@@ -164,7 +164,9 @@ std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors&
   for (const Channel channel : kNoisyChannels) {
     if (!signals.has(channel)) continue;
     SensorNoise& sensor = sensors[channel];
-    const auto is_coarse = [&sensor](double step) { return step > static_cast<double>(sensor.coarsest_step()); };
+    const auto is_coarse = [&sensor](double step) {
+      return step > static_cast<double>(sensor.coarsest_step());
+    };
     const auto& column = signals.value[index_of(channel)];
     Steps steps{.size = step_of(column)};
     if (!is_coarse(steps.size)) steps = late_steps_of(column);
@@ -228,7 +230,8 @@ std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Senso
   const LostRows repeated = leave_out_repeated_rows(signals, sensors);
   lost = {lost.count + repeated.count, std::min(lost.first, repeated.first)};
   const auto rows = static_cast<double>(std::max<std::size_t>(signals.rows, 1));
-  if (lost.count < static_cast<double>(kLeastLostShare) * rows || lost.count > 0.9 * rows) return std::nullopt;
+  if (lost.count < static_cast<double>(kLeastLostShare) * rows || lost.count > 0.9 * rows)
+    return std::nullopt;
   const std::size_t onset = is_late(lost, rows) ? lost.first : 0;
   const double since = rows - static_cast<double>(onset);
   const double fraction = std::min(lost.count / since, 1.0);

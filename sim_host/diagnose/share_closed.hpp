@@ -28,8 +28,8 @@ inline bool is_nearly_closed(const Shrinkage& shrinkage) { return shrinkage.inte
 /// Is so much left of it that the names are not what makes it? In pieces that were not fitted to, neither do
 /// rows show less than `where` still shows, nor does a model predict a step much better. Right names of three
 /// other simulators closed up to 0.82 of their gap at least, or predicted 0.45 of it, but for a backlash.
-/// Where not a third can have been closed, it is no matter how little there was to predict within a step; what
-/// runs free is far more wrong then.
+/// Where not a third can have been closed, it is no matter how little there was to predict within a step;
+/// what runs free is far more wrong then.
 bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult> where);
 
 }  // namespace morepro::host

@@ -41,8 +41,8 @@ TEST(BoardWatch, SeesWhatNoiseWasFittedTo) {
   const auto with_noise = [&] { return watched(signals, {.expected_noise = expected}, settings); };
   EXPECT_NE(with_noise().verdict, gap::GapVerdict::kUnexplained);
   settings = fitted;
-  const auto nameless = watched(
-      signals, {.verdict = host::Verdict::kUnexplained, .expected_noise = expected}, settings);
+  const auto nameless =
+      watched(signals, {.verdict = host::Verdict::kUnexplained, .expected_noise = expected}, settings);
   EXPECT_EQ(nameless.verdict, gap::GapVerdict::kUnexplained);
   EXPECT_EQ(settings.noise.feed_step, expected.feed_step);
 }

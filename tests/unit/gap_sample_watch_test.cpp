@@ -90,6 +90,21 @@ TEST(SampleWatch, TheStepsOfAFloatAreNotTheSensors) {
   EXPECT_EQ(steps.step(), 0.0F);
 }
 
+/// Seven digits of multiples of a step that is none of theirs, with zero among them.
+TEST(SampleWatch, StepsAreFoundInRoundedNumbers) {
+  gap::StepWatch<float> steps;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  constexpr double kStep = 0.38568714;
+  std::array<float, 3> last{};
+  for (int i = 0; i < 3000; ++i) {
+    const double value = 4.0 * std::sin(0.01 * i) + 0.2 * normal(random);
+    last = {static_cast<float>(1.0e-7 * std::round(1.0e7 * in_steps(value, kStep))), last[0], last[1]};
+    if (i > 1) steps.see(last[0], last[1], last[2]);
+  }
+  EXPECT_NEAR(steps.step(), kStep, 1.0e-5);
+}
+
 /// From frame to frame it changes by the same, but for its noise.
 TEST(SampleWatch, APositionThatMovesEvenlyIsNotInSteps) {
   gap::StepWatch<float> steps;
