@@ -128,7 +128,7 @@ MachineForms stated_forms(const MachineForms& forms, const gap::EffectScales<dou
   MachineForms stated;
   for (std::size_t i = 0; i < forms.count; ++i) {
     const EffectForm& form = forms.form[i];
-    if (form.parts > 0 && has_name(form))
+    if (has_name(form) && gap::group_of(form.effect) != gap::EffectGroup::kSampling)
       stated.form[stated.count++] = restated({.form = form}, from, to).form;
   }
   return stated;

@@ -16,7 +16,6 @@ using gap::Effect;
 constexpr double kSecondPole = 0.6;
 // Where friction has another shape than the catalogue's a Stribeck part of 0.08 .. 0.18 of it is left.
 constexpr double kOtherShape = 0.25;
-
 // Two Stribeck frictions of tests/blind that lasted longer than the catalogue's left Coulomb friction of 0.31
 // and 0.32.
 constexpr double kLongerTail = 0.4;

@@ -58,7 +58,7 @@ constexpr bool is_law_of_cut(gap::Effect effect) {
 /// the first one leaves has less.
 constexpr double least_share(gap::Effect effect, gap::Effect beside, double of_strangers) {
   constexpr double kOfFamily = 0.08;
-  constexpr double kOfCut = 0.2;  // of five that were not there four had 0.15 .. 0.17 (two simulators)
+  constexpr double kOfCut = 0.2;  // five that were not there had 0.05 .. 0.17
   if (is_law_of_cut(effect) && (is_law_of_cut(beside) || passes_with_teeth(beside))) return kOfCut;
   const Family family = family_of(effect);
   return family != Family::kNone && family == family_of(beside) ? kOfFamily : of_strangers;

@@ -68,8 +68,8 @@ gap::EffectForm read_form(const NamedTable& table) {
   if (table.has("kind")) form.kind = table.digit("kind");
   if (table.has("parts")) form.parts = table.digit("parts");
   if (table.has("shape")) form.shape = static_cast<float>(table.number("shape"));
-  if (const std::string objection = objection_to_form(form); !objection.empty())
-    table.refuse("name", fmt::format("'{}' {}", gap::name_of(form.effect), objection));
+  const std::string objection = form.parts > 0 ? objection_to_form(form) : std::string{};
+  if (!objection.empty()) table.refuse("name", fmt::format("'{}' {}", gap::name_of(form.effect), objection));
   return form;
 }
 

@@ -201,6 +201,17 @@ class EffectsInMachineFiles(ProgramTest):
             words = self.must_do("replay", "run.csv", "--machine", "mill.toml").stderr
             self.assertEqual("its own form of current_delay" in words, said, words)
 
+    def test_a_board_does_not_look_for_a_form_without_parts(self):
+        self.must_do("simulate", "--profile", "rich", "--duration", 20, "--effect", "feed_force_offset=3", "--out", "run.csv")
+        named = []
+        for forms in "", '\n[[gap.forms]]\nname = "feed_force_offset"\nparts = 0\n':
+            self.must_do("config", "--out", "mill.toml")
+            self.write("mill.toml", (self.folder / "mill.toml").read_text() + forms)
+            self.must_do("replay", "run.csv", "--machine", "mill.toml", "--json", "seen.json")
+            named.append(json.loads((self.folder / "seen.json").read_text())["gap"]["effect"])
+        self.assertEqual(named[0], "feed_force_offset")
+        self.assertNotEqual(named[1], "feed_force_offset")
+
     def test_need_their_axis(self):
         feed = "[feed]\nmass_kg = 3\n"
         self.write("bad.toml", feed + '[[effects]]\nname = "brush_voltage_drop"\nsize = 1\n')

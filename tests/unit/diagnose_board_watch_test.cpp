@@ -1,6 +1,7 @@
 // What a board is told by the host that has seen the same recording.
 #include <gtest/gtest.h>
 
+#include "sim_host/diagnose/board_settings.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
@@ -45,6 +46,23 @@ TEST(BoardWatch, SeesWhatNoiseWasFittedTo) {
       watched(signals, {.verdict = host::Verdict::kUnexplained, .expected_noise = expected}, settings);
   EXPECT_EQ(nameless.verdict, gap::GapVerdict::kUnexplained);
   EXPECT_EQ(settings.noise.feed_step, expected.feed_step);
+}
+
+/// A machine file holds what a board does not look for, too; not what has no name, and nothing of the
+/// sampling, which is no form.
+TEST(BoardWatch, WhatItDoesNotLookForIsStated) {
+  gap::MachineForms forms;
+  for (const gap::EffectForm& form : {gap::EffectForm{.effect = Effect::kFeedDriveLag, .parts = 0},
+                                      gap::EffectForm{.effect = Effect::kUnnamedForce},
+                                      gap::EffectForm{.effect = Effect::kSampleDropout, .parts = 0},
+                                      gap::EffectForm{.effect = Effect::kFeedForceOffset}})
+    forms.form[forms.count++] = form;
+  const gap::EffectScales<double> scales;
+  const gap::MachineForms stated = host::stated_forms(forms, scales, scales);
+  ASSERT_EQ(stated.count, 2U);
+  EXPECT_EQ(stated.form[0].effect, Effect::kFeedDriveLag);
+  EXPECT_EQ(stated.form[0].parts, 0U);
+  EXPECT_EQ(stated.form[1].effect, Effect::kFeedForceOffset);
 }
 
 }  // namespace
