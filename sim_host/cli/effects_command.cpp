@@ -84,6 +84,8 @@ std::string_view bend_of(gap::Effect effect) {
       return "exp(8 (w / shape w0)^2 / 9) - 1";
     case gap::Effect::kFeedStribeckFriction:
       return "exp(8 (v / shape v0)^2 / 9) - 1";
+    case gap::Effect::kFeedAsymmetricFriction:
+      return "|v|/v0 - 1";
     case gap::Effect::kContactChipLoadDependence:
       return "CL/CL0 - 1";
     case gap::Effect::kContactTemperatureDependence:

@@ -96,6 +96,20 @@ void search_shaft(AxisFit& trial) {
   }
 }
 
+// Of friction that grows with another power of the speed than the first: its slope as a share of the speed,
+// at the fastest over at rest. What is bent further is another law: a bump in the way had 0.31, powers of 1.1
+// and 1.25 1.1 .. 2.5.
+constexpr double kLeastSlope = 0.45;
+constexpr double kMostSlope = 4.0;
+
+/// 0 where no speed was recorded.
+double fastest_feed(const RecordingSignals& signals) {
+  double fastest_m_s = 0.0;
+  for (const float speed : signals.value[index_of(Channel::kFeedSpeed)])
+    if (speed == speed) fastest_m_s = std::max(fastest_m_s, std::fabs(static_cast<double>(speed)));
+  return fastest_m_s;
+}
+
 }  // namespace
 
 // Process noise that was fitted to too little friction hides friction, and the other way round: one search
@@ -119,9 +133,21 @@ void sharpen_newest(AxisFit& trial, float widest_share) {
   if (sharper.unlikeliness() < trial.unlikeliness()) trial = std::move(sharper);
 }
 
+bool bends_too_far(const gap::AppliedEffect& effect, double fastest_m_s, double reference_m_s) {
+  if (effect.form.effect != gap::Effect::kFeedAsymmetricFriction || effect.form.parts < 2) return false;
+  const double plain = effect.coefficient[0];
+  const double bent = effect.coefficient[1];
+  const double change = (plain + bent * (fastest_m_s / reference_m_s - 1.0)) / (plain - bent);
+  return !(change > kLeastSlope && change < kMostSlope);
+}
+
 void weigh_bend(AxisFit& trial, std::size_t index) {
   const gap::Effect effect = trial.model().effects[index].form.effect;
   if (!tells_second_part(effect, trial.signals())) return;
+  const double fastest_m_s = fastest_feed(trial.signals());
+  const auto is_too_far = [&](const AxisFit& fit) {
+    return bends_too_far(fit.model().effects[index], fastest_m_s, fit.model().point.feed_speed_m_s);
+  };
   AxisFit other = trial;
   gap::EffectForm& form = other.model().effects[index].form;
   const double price = std::log(static_cast<double>(trial.signals().rows) + 2.0);
@@ -133,7 +159,8 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
   // With its own noise a bend gains more, but not twice as much.
   if (!is_bent && gain() < 0.5 * price) return;
   other.polish();
-  if (gain() > (is_bent ? -price : price)) trial = std::move(other);
+  if (is_too_far(trial) || (gain() > (is_bent ? -price : price) && !is_too_far(other)))
+    trial = std::move(other);
 }
 
 // From the plain law, too: a bend does the work of a wrong range.

@@ -19,6 +19,10 @@ void tune_newest(AxisFit& trial);
 /// tell.
 void weigh_bend(AxisFit& trial, std::size_t index);
 
+/// Is friction that depends on the direction bent so far, at the fastest speed of a recording over that of
+/// the reference point, that it is another law? Other effects are not.
+bool bends_too_far(const gap::AppliedEffect& effect, double fastest_m_s, double reference_m_s);
+
 /// Exchanges the newest effect, a drive's lag, with the axis's own, where that is more likely: two in a row
 /// do nearly the same in either order, and no way leads from one to the other.
 void weigh_order_of_lags(AxisFit& trial);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim_host/diagnose/newest_effect.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {
@@ -62,6 +63,21 @@ INSTANTIATE_TEST_SUITE_P(Laws, BentLaw,
                                          Law{Effect::kSpindleWindage, 2.0e-8, 4.0e-8},
                                          Law{Effect::kFeedForceSaturation, 2.0e-5, 1.0e-8}),
                          [](const auto& param) { return std::string(gap::name_of(param.param.effect)); });
+
+TEST(Bends, OfFrictionStayNearThePlainLaw) {
+  gap::AppliedEffect friction{.form = {.effect = gap::Effect::kFeedAsymmetricFriction, .parts = 2}};
+  const auto is_too_far = [&friction](double share) {
+    friction.coefficient = {-2.0, share * -2.0};
+    return bends_too_far(friction, 0.15, 0.01);
+  };
+  EXPECT_FALSE(is_too_far(0.0));
+  EXPECT_FALSE(is_too_far(0.06));
+  EXPECT_FALSE(is_too_far(-0.03));
+  EXPECT_TRUE(is_too_far(-0.05));
+  EXPECT_TRUE(is_too_far(0.3));
+  friction.form.parts = 1;
+  EXPECT_FALSE(is_too_far(-0.05));
+}
 
 }  // namespace
 }  // namespace morepro::host
