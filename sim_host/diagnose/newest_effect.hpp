@@ -19,8 +19,8 @@ void tune_newest(AxisFit& trial);
 /// tell.
 void weigh_bend(AxisFit& trial, std::size_t index);
 
-/// Is friction that depends on the direction bent so far, at the fastest speed of a recording over that of
-/// the reference point, that it is another law? Other effects are not.
+/// Is friction that depends on the direction bent so far between rest and the fastest speed of a recording
+/// that it is another law? Other effects are not. `reference_m_s`: the speed at which its size is stated.
 bool bends_too_far(const gap::AppliedEffect& effect, double fastest_m_s, double reference_m_s);
 
 /// Exchanges the newest effect, a drive's lag, with the axis's own, where that is more likely: two in a row
