@@ -52,7 +52,7 @@ bool is_its_other_end(const gap::AppliedEffect& part, const gap::AppliedEffect& 
 
 bool is_its_constant(const gap::AppliedEffect& part, const gap::AppliedEffect& whole) {
   return part.form.effect == Effect::kFeedForceOffset &&
-         whole.form.effect == Effect::kFeedAsymmetricFriction &&
+         whole.form.effect == Effect::kFeedAsymmetricFriction && whole.form.parts > 1 &&
          std::fabs(part.coefficient[0]) < kOtherPower * std::fabs(whole.coefficient[0]);
 }
 

@@ -57,8 +57,15 @@ TEST(Causes, ADelayBesideALagIsItsSecondPole) {
 TEST(Causes, ALittleFrictionAtRestIsTheShapeOfFriction) {
   EXPECT_EQ(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, -0.6), 0U);
   EXPECT_FALSE(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, 2.0));
-  EXPECT_EQ(shaped_by_second(Effect::kFeedAsymmetricFriction, 5.0, Effect::kFeedForceOffset, 0.3), 0U);
-  EXPECT_FALSE(shaped_by_second(Effect::kFeedAsymmetricFriction, 5.0, Effect::kFeedForceOffset, -1.0));
+  EXPECT_FALSE(shaped_by_second(Effect::kFeedAsymmetricFriction, 5.0, Effect::kFeedForceOffset, 0.3));
+}
+
+TEST(Causes, ALittleForceBesideABentFrictionIsItsShape) {
+  std::vector found{found_as(Effect::kFeedAsymmetricFriction, 5.0), found_as(Effect::kFeedForceOffset, 0.3)};
+  found[0].effect.form.parts = 2;
+  EXPECT_EQ(shaped_by(found, 1), 0U);
+  found[1].effect.coefficient[0] = -1.0;
+  EXPECT_FALSE(shaped_by(found, 1));
 }
 
 TEST(Causes, WhatGivesAShapeIsNone) {
