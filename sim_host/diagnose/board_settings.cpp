@@ -6,12 +6,14 @@
 #include "lib/gap/board_forms.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "lib/monitor/configuration_check.hpp"
+#include "lib/monitor/sample_limits.hpp"
 #include "sim_host/diagnose/causes.hpp"
 #include "sim_host/diagnose/innovation_pass.hpp"
 
 namespace morepro::host {
 namespace {
 
+using gap::Effect;
 using gap::EffectForm;
 using gap::MachineForms;
 
@@ -112,6 +114,19 @@ gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap
     }
   }
   return settings;
+}
+
+gap::SampleLimits samples_for_board(const Sensors& sensors, std::span<const Effect> excluded,
+                                    std::span<const gap::AppliedEffect> known) {
+  const auto looks_for = [&](Effect effect) {
+    const auto is_it = [effect](const gap::AppliedEffect& one) { return one.form.effect == effect; };
+    return std::count(excluded.begin(), excluded.end(), effect) == 0 &&
+           std::none_of(known.begin(), known.end(), is_it);
+  };
+  gap::SampleLimits limits = sample_limits_of(sensors);
+  if (!looks_for(Effect::kSensorQuantization)) limits = {.lost_share = limits.lost_share};
+  if (!looks_for(Effect::kSampleDropout)) limits.lost_share = 0.0F;
+  return limits;
 }
 
 GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio) {

@@ -13,6 +13,11 @@ namespace morepro::host {
 gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap::GapNoise<double>& sensors,
                                 bool is_unexplained, std::span<const gap::Effect> excluded, double rate_hz);
 
+/// What of the samples of these sensors is no fault to a board; faults that are `excluded`, or `known` of the
+/// machine, are not looked for.
+gap::SampleLimits samples_for_board(const Sensors& sensors, std::span<const gap::Effect> excluded,
+                                    std::span<const gap::AppliedEffect> known);
+
 /// From when on, and as what, a board is shown a recording of which this was found. `expected`: noise of a
 /// machine like its datasheet.
 BoardSight sight_of(std::span<const AxisOutcome> outcomes, const DiagnosisResult& result,

@@ -10,7 +10,6 @@
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
-#include "lib/monitor/sample_limits.hpp"
 #include "sim_host/diagnose/axis_outcome.hpp"
 #include "sim_host/diagnose/board_settings.hpp"
 #include "sim_host/diagnose/board_watch.hpp"
@@ -353,7 +352,7 @@ class Diagnosis {
     gap::GapSettings settings =
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
-    settings.samples = samples_for_board(expected);
+    settings.samples = samples_for_board(expected, options_.excluded, machine_.effects);
     result_.board = watch_on_board(signals_, machine_.configuration.machine,
                                    refitted(machine_.configuration.machine, outcomes_),
                                    sight_of(outcomes_, result_, datasheet_.noise), settings);
@@ -361,18 +360,6 @@ class Diagnosis {
     result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
     for (gap::GapLimits* limits : {&result_.for_board.spindle, &result_.for_board.feed})
       limits->forms = stated_forms(limits->forms, recording_scales(), file_scales());
-  }
-
-  gap::SampleLimits samples_for_board(const Sensors& expected) const {
-    const auto looks_for = [this](Effect effect) {
-      const auto is_it = [effect](const gap::AppliedEffect& known) { return known.form.effect == effect; };
-      return std::count(options_.excluded.begin(), options_.excluded.end(), effect) == 0 &&
-             std::none_of(machine_.effects.begin(), machine_.effects.end(), is_it);
-    };
-    gap::SampleLimits limits = sample_limits_of(expected);
-    if (!looks_for(Effect::kSensorQuantization)) limits = {.lost_share = limits.lost_share};
-    if (!looks_for(Effect::kSampleDropout)) limits.lost_share = 0.0F;
-    return limits;
   }
 
   std::mutex one_at_a_time_;
