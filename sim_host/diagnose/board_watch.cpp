@@ -113,18 +113,32 @@ void allow(float excitation, gap::GapLimits& limits) {
 }
 
 /// Lifts what an effect needs above what the best form of an axis without one takes, and the noise to what is
-/// left. Noise that lasts gives each row its share of evidence, and a watch that goes on has up to
-/// `kMostRows`.
+/// left; of a machine that is right, above what better values than its datasheet's take, too. Noise that
+/// lasts gives each row its share of evidence, and a watch that goes on has up to `kMostRows`.
 template <class Axis>
-void calm(const Axis& axis, gap::GapLimits& limits) {
+void calm(const Axis& axis, bool is_right, gap::GapLimits& limits) {
   constexpr double kMargin = 1.25;
   const auto& evaluation = axis.evaluation();
   const GapVerdict verdict = evaluation.finding().verdict;
-  if (verdict != GapVerdict::kEffect && verdict != GapVerdict::kUnexplained) return;
+  const bool is_wrong = verdict == GapVerdict::kParameterError && is_right;
+  if (verdict != GapVerdict::kEffect && verdict != GapVerdict::kUnexplained && !is_wrong) return;
   const auto evidence = static_cast<double>(evaluation.finding().evidence);
   const double growth = static_cast<double>(Axis::kMostRows) / static_cast<double>(axis.statistics().rows());
   if (evidence > limits.evidence) limits.evidence = kMargin * evidence * std::max(1.0, growth);
   limits.noise_ratio = std::max(limits.noise_ratio, static_cast<double>(evaluation.residual_ratio()));
+}
+
+/// Lowers what an effect needs of an axis to what a cause has that the host, which sees more, is sure of:
+/// what noise may be worth is an estimate.
+template <class Axis>
+void heed(const Axis& axis, const BoardSight& sight, gap::GapLimits& limits) {
+  constexpr double kMargin = 0.9;
+  constexpr double kLeastShare = 0.4;
+  const gap::GapFinding& finding = axis.evaluation().finding();
+  if (finding.verdict != GapVerdict::kNoGap || !holds(sight.causes, finding.effect)) return;
+  const double needed = kMargin * static_cast<double>(finding.evidence);
+  const double least = std::max(gap::GapLimits{}.evidence, kLeastShare * limits.evidence);
+  if (needed > least) limits.evidence = std::min(limits.evidence, needed);
 }
 
 /// `rate_hz`: of the frames.
@@ -154,8 +168,14 @@ gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rat
   allow(all->spindle().evaluation().excitation(), settings.spindle);
   allow(all->feed().evaluation().excitation(), settings.feed);
   judge_again();
-  if (sight.is_spindle_quiet) calm(all->spindle(), settings.spindle);
-  if (sight.is_feed_quiet) calm(all->feed(), settings.feed);
+  const bool is_right = sight.verdict == Verdict::kNoGap;
+  if (sight.is_spindle_quiet) calm(all->spindle(), is_right, settings.spindle);
+  if (sight.is_feed_quiet) calm(all->feed(), is_right, settings.feed);
+  judge_again();
+  if (sight.verdict != Verdict::kEffect || all->finding().verdict == GapVerdict::kEffect)
+    return all->finding();
+  heed(all->spindle(), sight, settings.spindle);
+  heed(all->feed(), sight, settings.feed);
   judge_again();
   return all->finding();
 }
@@ -209,7 +229,9 @@ gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachinePar
   if (found.verdict != GapVerdict::kNoGap && found.verdict != GapVerdict::kParameterError) return found;
   // Beside wrong values everything looks like something.
   BoardSight of_values = sight;
-  of_values.is_spindle_quiet = of_values.is_feed_quiet = false;
+  const bool is_right = sight.verdict == Verdict::kNoGap;
+  if (!is_right) of_values.verdict = Verdict::kParameterError;
+  of_values.is_spindle_quiet = of_values.is_feed_quiet = is_right;
   gap::GapFinding by_datasheet = found_on_board(frames, signals.rate_hz, datasheet, of_values, settings);
   // What other values explain is no effect, whatever it looks like beside wrong ones.
   if (by_datasheet.verdict != GapVerdict::kNoGap) by_datasheet.verdict = GapVerdict::kParameterError;

@@ -14,6 +14,8 @@ using gap::Effect;
 // Two equal poles are a lag and a delay of half of it, or a little more. Of ten single lags of two poles that
 // another simulator made all had one of 0.08 .. 0.51 of it.
 constexpr double kSecondPole = 0.6;
+// One lag of 1.6 L/R with two poles was one and 0.650 and 0.648 ms of either sensor.
+constexpr double kAsLate = 0.1;
 // Where friction has another shape than the catalogue's a Stribeck part of 0.08 .. 0.18 of it is left.
 constexpr double kOtherShape = 0.25;
 // Two Stribeck frictions of tests/blind that lasted longer than the catalogue's left Coulomb friction of 0.31
@@ -37,6 +39,30 @@ bool is_its_second_pole(const gap::AppliedEffect& part, const gap::AppliedEffect
          gap::info_of(whole.form.effect).aliases.contains(part.form.effect) &&
          static_cast<double>(part.form.shape) < kSecondPole * static_cast<double>(whole.form.shape);
 }
+
+bool is_lag_of_current(Effect effect) {
+  return effect == Effect::kCurrentBandwidth || effect == Effect::kCurrentDelay;
+}
+
+bool is_lag_of_speed(Effect effect) {
+  return effect == Effect::kSpindleSpeedBandwidth || effect == Effect::kSpindleSpeedDelay;
+}
+
+/// What both of a spindle's sensors lag behind by is a pole of their voltage: of two that say so, the other
+/// one.
+std::optional<std::size_t> other_sensor_as_late(std::span<const Finding> found, std::size_t index) {
+  const gap::AppliedEffect& one = found[index].effect;
+  const auto shape = static_cast<double>(one.form.shape);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const gap::EffectForm& form = found[i].effect.form;
+    const bool is_other = (is_lag_of_current(one.form.effect) && is_lag_of_speed(form.effect)) ||
+                          (is_lag_of_speed(one.form.effect) && is_lag_of_current(form.effect));
+    if (is_other && std::fabs(static_cast<double>(form.shape) - shape) < kAsLate * shape) return i;
+  }
+  return std::nullopt;
+}
+
+bool is_drive_lag(const Finding& finding) { return finding.effect.form.effect == Effect::kDriveLag; }
 
 bool is_coulomb(Effect effect) {
   return effect == Effect::kFeedCoulombFriction || effect == Effect::kSpindleCoulombFriction;
@@ -65,7 +91,11 @@ std::optional<std::size_t> shaped_by(std::span<const Finding> found, std::size_t
     if (is_its_second_pole(part, whole) || is_its_other_end(part, whole) || is_its_constant(part, whole))
       return i;
   }
-  return std::nullopt;
+  const auto drive = std::find_if(found.begin(), found.end(), is_drive_lag);
+  const auto other = other_sensor_as_late(found, index);
+  if (drive == found.end() || !other) return std::nullopt;
+  // Both are one pole: of the drive once.
+  return is_lag_of_current(part.form.effect) ? static_cast<std::size_t>(drive - found.begin()) : *other;
 }
 
 std::size_t causes_of(std::span<const Finding> found) {

@@ -15,7 +15,7 @@ std::size_t causes_of(std::span<const Finding> found);
 bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index);
 
 /// The larger one whose shape this one is: a delay beside the lag of the same signal, which has more than one
-/// pole then; friction that is a little stronger at rest, or lasts a little longer at speed; a little force
+/// pole then; beside a drive's lag one that both sensors have; friction that is a little stronger at rest, or lasts a little longer at speed; a little force
 /// beside friction that depends on the direction, which goes with another power of the speed then. Nothing
 /// where it stands for itself.
 std::optional<std::size_t> shaped_by(std::span<const Finding> found, std::size_t index);

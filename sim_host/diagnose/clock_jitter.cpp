@@ -13,7 +13,8 @@ namespace morepro::host {
 namespace {
 
 constexpr double kLeastEvidence = 40.0;
-constexpr double kLargestDeviation = 6.0;  // deviations beyond count as this
+// What is beyond both counts as the larger one: deviations, and what a whole interval makes.
+constexpr double kLargestDeviation = 6.0;
 // Of squares of rates over noise, in 1/s2: from what takes a second to be seen to a microsecond's part.
 constexpr std::size_t kBins = 320;
 constexpr double kFirstDecade = 0.0;
@@ -124,10 +125,11 @@ Evaluation look_at(const AxisFit& fit, const GapModel& model) {
   Evaluation evaluation{.residuals = std::vector<Residuals>(2 * kSensorsPerAxis),
                         .togetherness = std::vector<Togetherness>(kSensorsPerAxis)};
   Rates rates(fit.axis(), fit.signals(), model);
+  const double period_s = 1.0 / fit.signals().rate_hz;
   run_observer(fit.axis(), fit.signals(), model, 0, fit.signals().rows, [&](const Innovation& v) {
     if (v.row == 0) return;
     const double rate = rates.at(v.row)[v.sensor];
-    const double most = kLargestDeviation * std::sqrt(v.variance);
+    const double most = std::max(kLargestDeviation * std::sqrt(v.variance), period_s * std::fabs(rate));
     const double value = std::clamp(v.value, -most, most);
     evaluation.residuals[2 * v.sensor + (v.in_contact ? 1 : 0)].add(value, rate, v.variance);
     evaluation.togetherness[v.sensor].add(value, rate, v.variance);

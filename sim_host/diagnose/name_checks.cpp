@@ -108,10 +108,11 @@ std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& dia
   for (std::size_t i = 0; i < count; ++i) {
     Finding& finding = diagnosis.found[i];
     if (diagnosis.needed(finding, kChance) < kChance) continue;  // another one states it along
-    const double left = has_size(finding, fits[count]) ? deviance[i] - deviance[count] : 0.0;
+    const bool is_sized = has_size(finding, fits[count]);
+    const double left = is_sized ? deviance[i] - deviance[count] : 0.0;
     finding.kept = left / std::max(finding.evidence, kChance);
     const bool is_least = !doubtful || finding.kept < diagnosis.found[*doubtful].kept;
-    const bool is_beyond_noise = std::min(finding.evidence, of_all) > beyond_noise;
+    const bool is_beyond_noise = is_sized && std::min(finding.evidence, of_all) > beyond_noise;
     const bool is_weak = finding.evidence < diagnosis.needed(finding, noise_evidence);
     const bool is_doubted = is_weak ? !is_sure(finding, fits[count])
                                     : !is_beyond_noise && keeps_too_little(left, finding.kept, rows);

@@ -54,6 +54,20 @@ TEST(Causes, ADelayBesideALagIsItsSecondPole) {
   EXPECT_FALSE(shaped_by_second(Effect::kCurrentBandwidth, 2.0e-4, Effect::kSpindleSpeedDelay, 1.0e-4));
 }
 
+TEST(Causes, ALagOfBothSensorsIsAPoleOfTheDrive) {
+  std::vector found{found_as(Effect::kDriveLag, 4.0e-4), found_as(Effect::kCurrentBandwidth, 6.5e-4),
+                    found_as(Effect::kSpindleSpeedBandwidth, 6.4e-4)};
+  EXPECT_EQ(shaped_by(found, 1), 0U);
+  EXPECT_EQ(shaped_by(found, 2), 1U);
+  EXPECT_EQ(causes_of(found), 1U);
+  found[2] = found_as(Effect::kSpindleSpeedBandwidth, 5.0e-4);
+  EXPECT_EQ(causes_of(found), 3U);
+  found[2] = found[0];
+  found[0] = found_as(Effect::kSpindleSpeedBandwidth, 6.4e-4);
+  found.pop_back();
+  EXPECT_EQ(causes_of(found), 2U);
+}
+
 TEST(Causes, ALittleFrictionAtRestIsTheShapeOfFriction) {
   EXPECT_EQ(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, -0.6), 0U);
   EXPECT_FALSE(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, 2.0));
@@ -118,9 +132,11 @@ struct Naming : testing::Test {
   const AxisFit fit{Axis::kFeed, signals, {}};
 
   [[nodiscard]] EffectResult named(std::initializer_list<std::pair<Effect, double>> rivals,
-                                   double unnamed_share = 0.0, std::size_t causes = 1) const {
-    return named_effect(finding_of(rivals), fit,
-                        {.threshold = 40.0, .unnamed_share = unnamed_share, .causes = causes});
+                                   double unnamed_share = 0.0, std::size_t causes = 1,
+                                   double temperature = 1.0) const {
+    return named_effect(
+        finding_of(rivals), fit,
+        {.temperature = temperature, .threshold = 40.0, .unnamed_share = unnamed_share, .causes = causes});
   }
 };
 
@@ -130,6 +146,13 @@ TEST_F(Naming, IsSureWhereNothingSpeaksAgainstIt) {
   const EffectResult alone = named({{Effect::kFeedSpring, 4000.0}, {Effect::kFeedForceOffset, 900.0}});
   EXPECT_NEAR(alone.confidence, 0.98, 1.0e-6);
   EXPECT_EQ(alone.alias_set, Effects{Effect::kFeedSpring});
+}
+
+/// Evidence of four standard errors and more is a size that may be any.
+TEST_F(Naming, DoubtsWhatHasNoSize) {
+  EXPECT_GT(named({{Effect::kFeedSpring, 200.0}}, 0.0, 1, 1.0).confidence, 0.9);
+  EXPECT_LT(named({{Effect::kFeedSpring, 200.0}}, 0.0, 1, 20.0).confidence, 0.3);
+  EXPECT_GT(named({{Effect::kFeedSpring, 2000.0}}, 0.0, 1, 20.0).confidence, 0.9);
 }
 
 TEST_F(Naming, SharesItsOddsWithWhatFitsAsWell) {
