@@ -18,6 +18,8 @@ constexpr void copy_machine(const From& from, To& to) {
   to.spindle.inductance_h = from.spindle.inductance_h;
   to.spindle.inertia_kgm2 = from.spindle.inertia_kgm2;
   to.spindle.viscous_friction_nms_rad = from.spindle.viscous_friction_nms_rad;
+  to.spindle.winding_time_constant_s = from.spindle.winding_time_constant_s;
+  to.spindle.winding_rise_k_a2 = from.spindle.winding_rise_k_a2;
   to.feed.mass_kg = from.feed.mass_kg;
   to.feed.contact_force_n = from.feed.contact_force_n;
   to.feed.contact_offset_n = from.feed.contact_offset_n;

@@ -21,6 +21,8 @@ typedef struct morepro_machine {
     double inductance_h;              ///< [L] > 0
     double inertia_kgm2;              ///< [In] > 0
     double viscous_friction_nms_rad;  ///< [Att] >= 0
+    double winding_time_constant_s;   ///< > 0 where known, 0 = nothing warms it
+    double winding_rise_k_a2;         ///< >= 0, of a current that lasts; where no sensor tells
   } spindle;
   struct {
     double mass_kg;                ///< [m] > 0

@@ -35,7 +35,7 @@ ConfigurationResult check_all(const std::array<CheckedValue, kSize>& values, boo
   return {};
 }
 
-inline ConfigurationResult check_positive(const MonitorConfiguration& c) {
+[[gnu::cold]] inline ConfigurationResult check_positive(const MonitorConfiguration& c) {
   const auto& [spindle, feed, tool, contact, thermal] = c.machine;
   return check_all(std::to_array<CheckedValue>({
                        {spindle.torque_constant_nm_a, "spindle.torque_constant_nm_a"},
@@ -66,10 +66,12 @@ inline ConfigurationResult check_positive(const MonitorConfiguration& c) {
                    false);
 }
 
-inline ConfigurationResult check_not_negative(const MonitorConfiguration& c) {
+[[gnu::cold]] inline ConfigurationResult check_not_negative(const MonitorConfiguration& c) {
   const auto& [spindle, feed, tool, contact, thermal] = c.machine;
   return check_all(std::to_array<CheckedValue>({
                        {spindle.viscous_friction_nms_rad, "spindle.viscous_friction_nms_rad"},
+                       {spindle.winding_time_constant_s, "spindle.winding_time_constant_s"},
+                       {spindle.winding_rise_k_a2, "spindle.winding_rise_k_a2"},
                        {feed.contact_force_n, "feed.contact_force_n"},
                        {feed.contact_offset_n, "feed.contact_offset_n"},
                        {feed.engagement, "feed.engagement"},
@@ -110,7 +112,7 @@ inline ConfigurationResult check_temperatures(const MachineParameters::Thermal& 
   return {};
 }
 
-inline ConfigurationResult check_ranges(const MonitorConfiguration& c, std::size_t capacity) {
+[[gnu::cold]] inline ConfigurationResult check_ranges(const MonitorConfiguration& c, std::size_t capacity) {
   using enum ConfigurationError;
   if (const auto result = check_temperatures(c.machine.thermal); !result.ok()) return result;
   if (!(c.sampling.rate_hz >= 100.0 && c.sampling.rate_hz <= 20000.0))
@@ -148,7 +150,7 @@ inline ConfigurationResult check_effect(const gap::AppliedEffect& one, double ra
   return check_all(std::array<CheckedValue, 1>{{{one.onset_s, "effects.onset_s"}}}, true);
 }
 
-inline ConfigurationResult check_effects(const MonitorConfiguration& c) {
+[[gnu::cold]] inline ConfigurationResult check_effects(const MonitorConfiguration& c) {
   if (c.effects.count > MachineEffects::kMost) return {ConfigurationError::kEffectCount, "effects"};
   for (std::size_t i = 0; i < c.effects.count; ++i)
     if (const auto result = check_effect(c.effects.effect[i], c.sampling.rate_hz); !result.ok())
@@ -156,7 +158,7 @@ inline ConfigurationResult check_effects(const MonitorConfiguration& c) {
   return {};
 }
 
-inline ConfigurationResult check_forms(const gap::MachineForms& forms, double rate_hz) {
+[[gnu::cold]] inline ConfigurationResult check_forms(const gap::MachineForms& forms, double rate_hz) {
   using enum ConfigurationError;
   if (forms.count > gap::MachineForms::kMost) return {kEffectCount, "gap.forms"};
   std::size_t parts = 0;

@@ -14,7 +14,7 @@ namespace morepro {
 /// that the configuration describes and that are not suspected, an axis whose inputs are known.
 class GapTracker {
  public:
-  explicit GapTracker(const MonitorConfiguration& c)
+  [[gnu::cold]] explicit GapTracker(const MonitorConfiguration& c)
       : described_(described_by(c.sensors)),
         watch_(c.machine, gap::reference_point_of(c.machine), 1.0 / c.sampling.rate_hz, settings_of(c)) {}
 
@@ -38,6 +38,27 @@ class GapTracker {
   }
 
   [[nodiscard]] const gap::GapFinding& finding() const { return watch_.finding(); }
+
+  /// What the watch is shown of a frame.
+  static gap::GapFrame<float> frame_of(const HeldInputs& held, unsigned usable) {
+    const auto has = [usable](Channel channel) { return (usable & bit_of(channel)) != 0; };
+    const bool spindle = knows_spindle(held);
+    const bool feed = held.knows(Channel::kFeedForce);
+    gap::GapFrame<float> frame;
+    frame.input = held.plant();
+    frame.winding_degc = held.winding_degc();
+    frame.speed_rad_s = held.get(Channel::kSpindleSpeed);
+    frame.current_a = held.get(Channel::kArmatureCurrent);
+    frame.angle_rad = held.get(Channel::kSpindleAngle);
+    frame.feed_speed_m_s = held.get(Channel::kFeedSpeed);
+    frame.feed_position_m = held.get(Channel::kFeedPosition);
+    frame.has_speed = spindle && has(Channel::kSpindleSpeed);
+    frame.has_current = spindle && has(Channel::kArmatureCurrent);
+    frame.has_angle = has(Channel::kSpindleAngle);
+    frame.has_feed_speed = feed && has(Channel::kFeedSpeed);
+    frame.has_feed_position = feed && has(Channel::kFeedPosition);
+    return frame;
+  }
 
  private:
   static constexpr unsigned kInputs = bit_of(Channel::kArmatureVoltage) | bit_of(Channel::kFeedForce) |
@@ -67,26 +88,6 @@ class GapTracker {
   /// What the spindle is driven with and cuts is known. In the air nothing is cut.
   static bool knows_spindle(const HeldInputs& held) {
     return held.knows(Channel::kArmatureVoltage) && (held.knows(Channel::kChipLoad) || !held.is_in_contact());
-  }
-
-  static gap::GapFrame<float> frame_of(const HeldInputs& held, unsigned usable) {
-    const auto has = [usable](Channel channel) { return (usable & bit_of(channel)) != 0; };
-    const bool spindle = knows_spindle(held);
-    const bool feed = held.knows(Channel::kFeedForce);
-    gap::GapFrame<float> frame;
-    frame.input = held.plant();
-    frame.winding_degc = held.winding_degc();
-    frame.speed_rad_s = held.get(Channel::kSpindleSpeed);
-    frame.current_a = held.get(Channel::kArmatureCurrent);
-    frame.angle_rad = held.get(Channel::kSpindleAngle);
-    frame.feed_speed_m_s = held.get(Channel::kFeedSpeed);
-    frame.feed_position_m = held.get(Channel::kFeedPosition);
-    frame.has_speed = spindle && has(Channel::kSpindleSpeed);
-    frame.has_current = spindle && has(Channel::kArmatureCurrent);
-    frame.has_angle = has(Channel::kSpindleAngle);
-    frame.has_feed_speed = feed && has(Channel::kFeedSpeed);
-    frame.has_feed_position = feed && has(Channel::kFeedPosition);
-    return frame;
   }
 
   unsigned described_;

@@ -6,6 +6,7 @@
 #include "lib/estimation/feed_filter.hpp"
 #include "lib/estimation/spindle_signals.hpp"
 #include "lib/frame/frame_view.hpp"
+#include "lib/monitor/winding_warming.hpp"
 #include "lib/plant/contact_law.hpp"
 #include "lib/plant/machine_parameters.hpp"
 #include "lib/plant/plant_state.hpp"
@@ -17,7 +18,10 @@ namespace morepro {
 /// is unknown (voltage, force).
 class HeldInputs {
  public:
-  explicit HeldInputs(const MachineParameters& machine) : law_(machine) {
+  /// rate_hz > 0: of the frames.
+  HeldInputs(const MachineParameters& machine, double rate_hz)
+      : law_(machine), warming_(machine.spindle, rate_hz) {
+    value_[index_of(Channel::kWindingTemperature)] = warming_.winding_degc();
     value_[index_of(Channel::kEngagement)] = static_cast<float>(machine.feed.engagement);
     value_[index_of(Channel::kToolTemperature)] = static_cast<float>(machine.thermal.tool_degc);
     value_[index_of(Channel::kChipLoad)] = static_cast<float>(machine.tool.chip_load_mm);
@@ -26,6 +30,7 @@ class HeldInputs {
 
   void take(const FrameView& frame) {
     const float temperature_degc = get(Channel::kToolTemperature);
+    if (!knows(Channel::kWindingTemperature)) warm_winding();
     frame.for_each([this](std::size_t i, float value) { value_[i] = value; });
     known_ = static_cast<std::uint16_t>(known_ | frame.usable);
     if (!(get(Channel::kToolTemperature) == temperature_degc))
@@ -56,16 +61,20 @@ class HeldInputs {
   }
   /// 0 or 1.
   [[nodiscard]] float contact() const { return is_in_contact() ? 1.0F : 0.0F; }
-  [[nodiscard]] float winding_degc() const {
-    return knows(Channel::kWindingTemperature) ? get(Channel::kWindingTemperature) : kWinding_degc;
-  }
+  /// Measured, or as the current has warmed it.
+  [[nodiscard]] float winding_degc() const { return get(Channel::kWindingTemperature); }
 
  private:
-  static constexpr float kWinding_degc = 25.0F;  ///< where it is not measured: that of the datasheet
+  /// By the current that has held until now.
+  void warm_winding() {
+    warming_.step(get(Channel::kArmatureCurrent));
+    value_[index_of(Channel::kWindingTemperature)] = warming_.winding_degc();
+  }
 
   std::array<float, kChannelCount> value_{};
   std::uint16_t known_ = 0;
   ContactLaw<float> law_;
+  WindingWarming warming_;
   float thermal_factor_ = 1.0F;
 };
 

@@ -79,6 +79,8 @@ class Monitor {
   void tool_changed() { estimators_.wear.tool_changed(); }
 
   [[nodiscard]] const Health& health() const { return health_; }
+  /// What holds from the last frame on and was measured by then, of the machine without its known effects.
+  [[nodiscard]] const HeldInputs& held() const { return estimators_.held; }
   [[nodiscard]] const MonitorConfiguration& configuration() const { return configuration_; }
   [[nodiscard]] std::size_t hypothesis_count() const { return configuration_.grid.count; }
   [[nodiscard]] float hypothesis_mm(std::size_t index) const {
@@ -92,7 +94,7 @@ class Monitor {
   struct Estimators {
     [[gnu::cold]] explicit Estimators(const MonitorConfiguration& c)
         : guard(c.sampling.rate_hz),
-          held(c.machine),
+          held(c.machine, c.sampling.rate_hz),
           known(c),
           spindle(c),
           feed(c),

@@ -18,7 +18,7 @@ namespace morepro {
 /// estimate with its standard error and whether it may be used.
 class ParameterTracker {
  public:
-  explicit ParameterTracker(const MonitorConfiguration& c)
+  [[gnu::cold]] explicit ParameterTracker(const MonitorConfiguration& c)
       : period_s_(period_of(c)),
         may_sample_inductance_(c.machine.spindle.inductance_h * c.sampling.rate_hz >=
                                kFewestSamples * c.machine.spindle.resistance_ohm),

@@ -18,6 +18,8 @@ struct MachineParameters {
     double inductance_h = 0.5e-3;              ///< [L] > 0
     double inertia_kgm2 = 1.2e-4;              ///< [In] > 0
     double viscous_friction_nms_rad = 1.0e-4;  ///< [Att] >= 0
+    double winding_time_constant_s = 0.0;      ///< > 0 where known, 0 = nothing warms it
+    double winding_rise_k_a2 = 0.0;            ///< >= 0, of a current that lasts; where no sensor tells
   } spindle;
   struct Feed {
     double mass_kg = 3.0;                  ///< [m] > 0

@@ -8,6 +8,7 @@
 
 #include "lib/gap/gap_watch.hpp"
 #include "lib/gap/reference_point.hpp"
+#include "sim_host/diagnose/board_frames.hpp"
 #include "sim_host/replay/gap_report.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -16,34 +17,6 @@ namespace {
 
 using gap::GapVerdict;
 using Watch = gap::GapWatch<float>;
-
-gap::GapFrame<float> rounded(const gap::GapFrame<double>& frame) {
-  const auto to_float = [](double value) { return static_cast<float>(value); };
-  const auto& in = frame.input;
-  gap::GapFrame<float> seen;
-  seen.input = {to_float(in.armature_voltage_v), to_float(in.feed_force_n),
-                in.contact > 0.5 ? 1.0F : 0.0F,  to_float(in.engagement),
-                to_float(in.chip_load_mm),       to_float(in.tool_temperature_degc)};
-  seen.winding_degc = to_float(frame.winding_degc);
-  seen.speed_rad_s = to_float(frame.speed_rad_s);
-  seen.current_a = to_float(frame.current_a);
-  seen.angle_rad = to_float(frame.angle_rad);
-  seen.feed_speed_m_s = to_float(frame.feed_speed_m_s);
-  seen.feed_position_m = to_float(frame.feed_position_m);
-  seen.has_speed = frame.has_speed;
-  seen.has_current = frame.has_current;
-  seen.has_angle = frame.has_angle;
-  seen.has_feed_speed = frame.has_feed_speed;
-  seen.has_feed_position = frame.has_feed_position;
-  return seen;
-}
-
-/// An axis is watched where its input is known: else there is nothing to predict with.
-void hide_what_is_not_driven(const RecordingSignals& signals, gap::GapFrame<float>& frame) {
-  if (!signals.has(Channel::kArmatureVoltage) || signals.is_current_driven)
-    frame.has_speed = frame.has_current = false;
-  if (!signals.has(Channel::kFeedForce)) frame.has_feed_speed = frame.has_feed_position = false;
-}
 
 GapVerdict verdict_of(Verdict verdict) {
   switch (verdict) {
@@ -69,27 +42,6 @@ bool holds(const std::vector<gap::Effect>& effects, gap::Effect effect) {
 // the others have had theirs, use nearly every row once; a board alone uses one of ninety.
 constexpr std::size_t kShift = Watch::kRowsOfStretch;
 constexpr std::size_t kWatches = (Watch::kStretch + kShift - 1) / kShift;
-
-/// What a board is shown of a row.
-struct BoardFrame {
-  gap::GapFrame<float> frame;
-  bool is_missing = false;
-  bool is_lost = false;  ///< missing, or all of its samples are
-};
-
-std::vector<BoardFrame> board_frames(const RecordingSignals& signals, const MachineParameters& machine) {
-  std::vector<BoardFrame> frames(signals.rows);
-  FrameSource source(signals, machine, 0, FrameSource::Temperatures::kAsRecorded);
-  for (std::size_t row = 0; row < signals.rows; ++row) {
-    gap::GapFrame<float>& frame = frames[row].frame = rounded(source.next());
-    const bool is_measured =
-        frame.has_speed || frame.has_current || frame.has_feed_speed || frame.has_feed_position;
-    frames[row].is_missing = is_missing(signals, row);
-    frames[row].is_lost = frames[row].is_missing || !is_measured;
-    hide_what_is_not_driven(signals, frame);
-  }
-  return frames;
-}
 
 /// Shows a recording to a watch whose first stretch begins at row `first`.
 void show(const std::vector<BoardFrame>& frames, std::size_t first, Watch& watch) {
@@ -220,11 +172,11 @@ gap::GapFinding found_by_refitted(const std::vector<BoardFrame>& frames, double 
 
 }  // namespace
 
-gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
+gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineDescription& machine,
                                const MachineParameters& refitted, const BoardSight& sight,
                                gap::GapSettings& settings) {
-  // What a recording does not hold, the machine file does; no value of it is fitted.
-  const std::vector<BoardFrame> frames = board_frames(signals, datasheet);
+  const MachineParameters& datasheet = machine.configuration.machine;
+  const std::vector<BoardFrame> frames = board_frames(signals, machine, refitted);
   const gap::GapFinding found = found_by_refitted(frames, signals.rate_hz, refitted, sight, settings);
   if (found.verdict != GapVerdict::kNoGap && found.verdict != GapVerdict::kParameterError) return found;
   // Beside wrong values everything looks like something.

@@ -4,6 +4,7 @@
 #include "lib/gap/gap_watch_finding.hpp"
 #include "sim_host/diagnose/diagnosis_result.hpp"
 #include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/machine/machine_description.hpp"
 
 namespace morepro::host {
 
@@ -23,9 +24,9 @@ struct BoardSight {
 /// at 27 ms out of every 1.13 s (at 10 kHz), which is little of a short recording: so the statistics of
 /// watches that begin a stretch as soon as they may are merged, as of a board that has seen the machine for
 /// so long that it has seen all of this. It is given the values that fit best without any effect, `refitted`;
-/// where it finds nothing beside them, those of the `datasheet`: what it finds then is that they are wrong.
+/// where it finds nothing beside them, those of the machine file: what it finds then is that they are wrong.
 /// What noise of this machine has it take for an effect is taken away from it in `settings`.
-gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineParameters& datasheet,
+gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineDescription& machine,
                                const MachineParameters& refitted, const BoardSight& sight,
                                gap::GapSettings& settings);
 

@@ -353,7 +353,7 @@ class Diagnosis {
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
     settings.samples = samples_for_board(expected, options_.excluded, machine_.effects);
-    result_.board = watch_on_board(signals_, machine_.configuration.machine,
+    result_.board = watch_on_board(signals_, machine_,
                                    refitted(machine_.configuration.machine, outcomes_),
                                    sight_of(outcomes_, result_, datasheet_.noise), settings);
     result_.board_agrees = agree(result_.board, result_);

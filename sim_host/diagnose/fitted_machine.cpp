@@ -26,6 +26,12 @@ void take_fault(const SamplingFault& fault, const gap::EffectScales<double>& sca
   machine.effects.push_back(gap::applied(fault.effect, fault.size, scales));
 }
 
+/// What a winding without a sensor is as warm by as the effect takes it for.
+void take_heat(const WindingHeat& heat, MachineParameters::Spindle& spindle) {
+  spindle.winding_time_constant_s = heat.time_s;
+  spindle.winding_rise_k_a2 = heat.rise_k_a2;
+}
+
 }  // namespace
 
 MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcome> outcomes) {
@@ -41,7 +47,8 @@ MachineDescription machine_with_effects(MachineDescription machine, std::span<co
     const AxisFit& fit = outcome.diagnosis.fit;
     take_values(fit, machine.configuration.machine);
     for (gap::AppliedEffect effect : fit.model().effects) {
-      if (has_no_size(effect.form.effect, fit.signals())) continue;
+      if (follows_heat(effect.form.effect, fit.signals()))
+        take_heat(fit.signals().winding_heat, machine.configuration.machine.spindle);
       effect.onset_s = 0.0;
       machine.effects.push_back(gap::restated(effect, scales.found, scales.stated));
     }

@@ -241,7 +241,8 @@ bool FrameSource::sampled(Channel channel, double& value) const {
 }
 
 void FrameSource::follow(Channel channel, const std::vector<float>& calm, double& value) const {
-  if (calm.empty() || temperatures_ == Temperatures::kAsRecorded)
+  const bool is_as_recorded = temperatures_ == Temperatures::kAsRecorded && signals_.has(channel);
+  if (calm.empty() || is_as_recorded)
     sampled(channel, value);
   else if (!std::isnan(calm[row_]))
     value = static_cast<double>(calm[row_]);

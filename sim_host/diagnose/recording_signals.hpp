@@ -14,6 +14,13 @@ namespace morepro::host {
 /// Where it is not measured: that of the datasheet.
 inline constexpr double kUnmeasuredWindingDegc = 25.0;
 
+/// How the square of the current warms a winding whose temperature was not recorded.
+struct WindingHeat {
+  double time_s = 0.0;     ///< > 0; 0: it is not warmed
+  double rise_k_a2 = 0.0;  ///< of a current that lasts
+  bool is_stated = false;  ///< by the machine file; else its course is known, and no size
+};
+
 /// A recording in memory, on its sampling grid: rows that are missing are there, without samples.
 struct RecordingSignals {
   double rate_hz = 0.0;
@@ -29,6 +36,7 @@ struct RecordingSignals {
   /// follow from its current.
   std::vector<float> calm_tool_degc;
   std::vector<float> calm_winding_degc;
+  WindingHeat winding_heat;
 
   /// Mean square of what an input changes by from row to row: what is not known of one that was lost.
   double lost_voltage_v2 = 0.0;

@@ -65,7 +65,9 @@ std::string untested_effects(const RecordingSignals& signals, const MachineDescr
         "current is shown are not looked for",
         kChannels[index_of(Channel::kArmatureVoltage)].column);
   const bool is_evaluated = why_not_evaluated(gap::Balance::kArmatureVoltage, signals, machine).empty();
-  if (!is_evaluated || signals.has(Channel::kWindingTemperature)) return "";
+  const auto& spindle = machine.configuration.machine.spindle;
+  const bool is_stated = spindle.winding_time_constant_s > 0.0 && spindle.winding_rise_k_a2 > 0.0;
+  if (!is_evaluated || is_stated || signals.has(Channel::kWindingTemperature)) return "";
   return fmt::format(
       "{} is not recorded: it is taken from the square of the current, and {} and {} have no size",
       kChannels[index_of(Channel::kWindingTemperature)].column,

@@ -11,14 +11,14 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kColdDegc = 25.0;
 constexpr double kHottestK = 10.0;
 // A winding takes some seconds, an iron core minutes: in a recording of seconds that is the heat so far.
 constexpr std::array kTimesS{1.0, 3.0, 10.0, 30.0, 600.0};
 constexpr std::array kFinerFactors{1.6, 0.625, 1.25, 0.8};
 constexpr int kRoundsWithoutHeat = 2;
 
-std::vector<float> heated(const RecordingSignals& signals, double time_s) {
+/// The square of the current before each row, seen through a time constant, in A2.
+std::vector<double> heat_of(const RecordingSignals& signals, double time_s) {
   const auto& current_a = signals.value[index_of(Channel::kArmatureCurrent)];
   const double share = -std::expm1(-1.0 / (time_s * signals.rate_hz));
   std::vector<double> heat(signals.rows, 0.0);
@@ -30,11 +30,28 @@ std::vector<float> heated(const RecordingSignals& signals, double time_s) {
       square = std::pow(static_cast<double>(current_a[i]), 2);
     now += share * (square - now);
   }
-  const double hottest = std::max(*std::max_element(heat.begin(), heat.end()), 1.0e-300);
-  std::vector<float> winding_degc(signals.rows);
+  return heat;
+}
+
+void warm(const std::vector<double>& heat, const WindingHeat& by, RecordingSignals& signals) {
+  signals.winding_heat = by;
+  signals.calm_winding_degc.resize(signals.rows);
   for (std::size_t i = 0; i < signals.rows; ++i)
-    winding_degc[i] = static_cast<float>(kColdDegc + kHottestK * heat[i] / hottest);
-  return winding_degc;
+    signals.calm_winding_degc[i] = static_cast<float>(kUnmeasuredWindingDegc + by.rise_k_a2 * heat[i]);
+}
+
+void warm_to_usual(double time_s, RecordingSignals& signals) {
+  const std::vector<double> heat = heat_of(signals, time_s);
+  const double hottest = std::max(*std::max_element(heat.begin(), heat.end()), 1.0e-300);
+  warm(heat, {.time_s = time_s, .rise_k_a2 = kHottestK / hottest}, signals);
+}
+
+/// As the machine file says; false where it does not.
+bool warm_as_stated(const MachineParameters::Spindle& spindle, RecordingSignals& signals) {
+  const WindingHeat stated{spindle.winding_time_constant_s, spindle.winding_rise_k_a2, true};
+  if (!(stated.time_s > 0.0 && stated.rise_k_a2 > 0.0)) return false;
+  warm(heat_of(signals, stated.time_s), stated, signals);
+  return true;
 }
 
 /// How much the best drift would explain beside the model of a fit to the same recording without heat.
@@ -58,12 +75,13 @@ void heat_winding_by_current(RecordingSignals& signals, const GapModel& datashee
   if (signals.has(Channel::kWindingTemperature) || !signals.has_electrics() || signals.rows == 0 ||
       !signals.has(Channel::kArmatureVoltage) || !signals.has(Channel::kSpindleSpeed))
     return;
+  if (warm_as_stated(datasheet.machine.spindle, signals)) return;
   AxisFit without(Axis::kSpindle, signals, datasheet);
   without.narrow_down();
   without.settle(kRoundsWithoutHeat);
   RecordingSignals tried = signals;
   const auto evidence_with = [&](double time_s) {
-    tried.calm_winding_degc = heated(signals, time_s);
+    warm_to_usual(time_s, tried);
     return evidence_of_drifts(without, tried);
   };
   double best_s = kTimesS.front();
@@ -76,12 +94,16 @@ void heat_winding_by_current(RecordingSignals& signals, const GapModel& datashee
   };
   for (const double time_s : kTimesS) try_time(time_s);
   for (const double factor : kFinerFactors) try_time(factor * best_s);
-  signals.calm_winding_degc = heated(signals, best_s);
+  warm_to_usual(best_s, signals);
+}
+
+bool follows_heat(gap::Effect effect, const RecordingSignals& signals) {
+  return !signals.has(Channel::kWindingTemperature) && (effect == gap::Effect::kResistanceTemperatureDrift ||
+                                                        effect == gap::Effect::kMagnetTemperatureDrift);
 }
 
 bool has_no_size(gap::Effect effect, const RecordingSignals& signals) {
-  return !signals.has(Channel::kWindingTemperature) && (effect == gap::Effect::kResistanceTemperatureDrift ||
-                                                        effect == gap::Effect::kMagnetTemperatureDrift);
+  return follows_heat(effect, signals) && !signals.winding_heat.is_stated;
 }
 
 }  // namespace morepro::host

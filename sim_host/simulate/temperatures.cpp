@@ -20,13 +20,22 @@ double rated_current(const MachineParameters& machine, const gap::ReferencePoint
   return std::max(point.current_a, kRatedVoltageV / machine.spindle.resistance_ohm);
 }
 
+double winding_time_s(const MachineParameters::Spindle& spindle) {
+  return spindle.winding_time_constant_s > 0.0 ? spindle.winding_time_constant_s : kWindingTimeS;
+}
+
+double winding_rise_k_a2(const MachineParameters& machine, const gap::ReferencePoint& point) {
+  if (machine.spindle.winding_rise_k_a2 > 0.0) return machine.spindle.winding_rise_k_a2;
+  return kRatedRiseK / std::pow(rated_current(machine, point), 2);
+}
+
 }  // namespace
 
 Temperatures::Temperatures(const MachineParameters& machine, const gap::ReferencePoint& point, double step_s)
-    : winding_share_(1.0 - std::exp(-step_s / kWindingTimeS)),
+    : winding_share_(1.0 - std::exp(-step_s / winding_time_s(machine.spindle))),
       heating_share_(1.0 - std::exp(-step_s / kToolHeatingTimeS)),
       cooling_share_(1.0 - std::exp(-step_s / kToolCoolingTimeS)),
-      winding_k_per_a2_(kRatedRiseK / std::pow(rated_current(machine, point), 2)),
+      winding_k_per_a2_(winding_rise_k_a2(machine, point)),
       nominal_tool_degc_(machine.thermal.tool_degc),
       tool_degc_(nominal_tool_degc_),
       winding_degc_(kAmbientDegc) {}

@@ -132,7 +132,7 @@ IdentificationTrace run_library_filter(const IdentificationSetting& setting) {
   const auto variance = [&](Channel channel) { return static_cast<float>(c.sensors[channel].variance()); };
   const float deviation = static_cast<float>(c.sensors[Channel::kFeedSpeed].noise);
   DrivenMachine driven(setting.drive, setting.seed);
-  HeldInputs held(c.machine);
+  HeldInputs held(c.machine, c.sampling.rate_hz);
   IdentificationTrace trace;
   for (std::uint64_t frame = 0; frame <= frames_of(setting); ++frame) {
     keep(trace, frame, [&](std::size_t j) { return static_cast<double>(tracker->estimates()[j].value); });

@@ -13,6 +13,8 @@ resistance_ohm = 0.8
 inductance_h = 0.5e-3
 inertia_kgm2 = 1.2e-4
 viscous_friction_nms_rad = 1e-4
+winding_time_constant_s = 8.0
+winding_rise_k_a2 = 0.5
 [feed]
 mass_kg = 3
 contact_force_n = 20
@@ -84,7 +86,8 @@ WEAR = ["watch_ratio", "replace_ratio", "low_ratio", "hold_s", "datasheet_tolera
 LINES = GOOD.count("\n")
 POSITIVE = ["torque_constant_nm_a", "back_emf_constant_vs_rad", "resistance_ohm", "inductance_h", "inertia_kgm2",
             "mass_kg", "diameter_mm", "teeth", "chip_load_mm", "speed_scale_rad_s", "exponent"]
-NOT_NEGATIVE = ["viscous_friction_nms_rad", "contact_force_n", "contact_offset_n", "engagement",
+NOT_NEGATIVE = ["viscous_friction_nms_rad", "winding_time_constant_s", "winding_rise_k_a2",
+                "contact_force_n", "contact_offset_n", "engagement",
                 "viscous_friction_ns_m", "screw_pitch_m", "viscous_gain_nms", "edge_force_n", "chip_force_n_mm",
                 "radius_m", "noise", "lsb"]
 REQUIRED = ["torque_constant_nm_a", "back_emf_constant_vs_rad", "resistance_ohm", "inductance_h", "inertia_kgm2",
@@ -172,11 +175,11 @@ CORPUS = {
     "forgotten unit": misspelt("mass_kg", "mass"),
     "misspelt teeth": misspelt("teeth", "teath"),
     "misspelt noise": misspelt("noise", "nois"),
-    "unknown key": (GOOD.replace("mass_kg", "colour"), "line 11, column 1", "'colour'"),
+    "unknown key": (GOOD.replace("mass_kg", "colour"), "line 13, column 1", "'colour'"),
     "unknown table": (GOOD + "[spindel]\n", f"line {LINES + 1}", "'spindel'", "'spindle'"),
     "unknown sensor": (GOOD + "[sensors.speed]\nnoise = 1\n", f"line {LINES + 1}", "'speed'"),
     "table is a number": ("spindle = 3\n", "line 1", "no table"),
-    "sensor is a number": (GOOD.replace("[sensors.armature_current_a]\nnoise", "[sensors]\narmature_current_a"), "line 41",
+    "sensor is a number": (GOOD.replace("[sensors.armature_current_a]\nnoise", "[sensors]\narmature_current_a"), "line 43",
                            "no table"),
     "contact without tool": (GOOD.replace("[tool]\ndiameter_mm = 10\nteeth = 4\nchip_load_mm = 0.05\n", ""), "[tool]"),
     "no axis": ('[machine]\nname = "nothing"\n', "[spindle]", "[feed]"),

@@ -30,6 +30,10 @@ class Diagnose(ProgramTest):
     def names(self, result):
         return [effect["effect"] for effect in result["which"]]
 
+    def value_of(self, key, machine):
+        lines = (self.folder / machine).read_text().splitlines()
+        return float(next(line for line in lines if line.startswith(key + " = ")).split(" = ")[1])
+
     def keep_columns(self, *names):
         path = self.folder / "run.csv"
         comments = [line for line in path.read_text().splitlines() if line.startswith("#")]

@@ -128,6 +128,14 @@ class Verdicts(Diagnose):
             self.assertEqual(again["verdict"], verdict, effect)
             self.assertTrue(again["board"]["agrees"], again["board"])
 
+    def test_a_board_takes_out_what_its_machine_file_states(self):
+        for effect in "feed_coulomb_friction=6", "spindle_speed_bias=6", "current_delay=2e-4":
+            with self.subTest(effect):
+                self.simulate("--effect", effect, duration=4)
+                self.diagnose("--apply", "known.toml")
+                again = self.diagnose("--machine", "known.toml")
+                self.assertEqual((again["verdict"], again["board"]["verdict"]), ("no_gap", "no_gap"))
+
     def test_lost_rows_do_not_hide_what_else_is_there(self):
         self.simulate("--effect", "feed_force_offset=2")
         lines = (self.folder / "run.csv").read_text().splitlines()

@@ -89,8 +89,22 @@ class PartialRecording(Diagnose):
                 self.assertIsNone(result["which"][0]["magnitude"])
                 self.assertIsNone(result["which"][0]["standard_error"])
                 self.assertIn(f"{effect.split('=')[0]} = undetermined", done.stdout)
-                # Without a size it is nothing that a model could have.
-                self.assertNotIn("[[effects]]", (self.folder / "found.toml").read_text())
+                # Its course is known, and that is what a model needs; a board's, too.
+                self.assertTrue(result["board"]["agrees"], result["board"])
+                self.assertGreater(self.value_of("winding_rise_k_a2", "found.toml"), 0.0)
+                again = self.diagnose("--machine", "found.toml", recording="part.csv")
+                self.assertEqual(again["verdict"], "no_gap")
+                self.assertTrue(again["board"]["agrees"], again["board"])
+
+    def test_a_winding_that_is_warmed_as_the_machine_file_says_has_a_size(self):
+        sheet = self.must_do("config").stdout.replace("winding_time_constant_s = 0\n", "winding_time_constant_s = 4\n")
+        self.write("sheet.toml", sheet.replace("winding_rise_k_a2 = 0\n", "winding_rise_k_a2 = 1.5\n"))
+        self.simulate("--machine", "sheet.toml", "--effect", "resistance_temperature_drift=0.004")
+        self.keep_columns(*SPINDLE, "armature_current_a", "contact", "chip_load_mm", "tool_temperature_degc")
+        result = self.diagnose("--machine", "sheet.toml", recording="part.csv")
+        self.assertEqual(self.names(result), ["resistance_temperature_drift"])
+        # The machine is warmed by the mean of the squared current, the model by its samples.
+        self.assertAlmostEqual(result["which"][0]["magnitude"], 0.004, delta=0.0002)
 
     def test_a_winding_whose_temperature_is_not_recorded_does_not_take_over(self):
         self.simulate("--effect", "brush_voltage_drop=0.1")

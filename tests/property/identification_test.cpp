@@ -67,7 +67,7 @@ std::array<ParameterEstimate, kParameterCount> identify(const Experiment& run) {
                    .tool_temperature_degc = 500.0};
   const double noise_m_s = c.sensors[Channel::kFeedSpeed].noise;
   std::normal_distribution<double> normal;
-  HeldInputs held(c.machine);
+  HeldInputs held(c.machine, c.sampling.rate_hz);
   for (int k = -run.settled; k < run.frames; ++k) {
     run.stimulate(machine, k);
     if (k < 0) {
@@ -197,7 +197,7 @@ TEST(Identification, NoiseDoesNotTellResistanceFromBackEmf) {
   auto tracker = std::make_unique<ParameterTracker>(c);
   test::SpindleSimulation machine(c, 3);
   machine.input = {.armature_voltage_v = 48.0, .contact = 0.0, .tool_temperature_degc = 500.0};
-  HeldInputs held(c.machine);
+  HeldInputs held(c.machine, c.sampling.rate_hz);
   for (int k = 0; k < 60000; ++k) {
     machine.input.armature_voltage_v = 48.0 + 1.5 * std::sin(2.0e-3 * k);
     SensorFrame frame;

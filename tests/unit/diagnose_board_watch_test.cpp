@@ -10,8 +10,8 @@ namespace {
 
 gap::GapFinding watched(const RecordingSignals& signals, const host::BoardSight& sight,
                         gap::GapSettings& settings) {
-  const MachineParameters machine = datasheet(0.0).configuration.machine;
-  return host::watch_on_board(signals, machine, machine, sight, settings);
+  const MachineDescription machine = datasheet(0.0);
+  return host::watch_on_board(signals, machine, machine.configuration.machine, sight, settings);
 }
 
 gap::GapSettings settings_with_noise(double share) {

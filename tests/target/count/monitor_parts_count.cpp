@@ -33,7 +33,7 @@ void check_frame() {
 }
 
 void hold_inputs() {
-  static HeldInputs held(reference_machine());
+  static HeldInputs held(reference_machine(), 10000.0);
   held.take({frame, frame.present});
   keep(held);
 }
