@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "sim_host/diagnose/causes.hpp"
@@ -174,6 +175,16 @@ void keep_surprises(AxisOutcome& outcome) {
     keep_without_name(surprises.deviance, outcome);
 }
 
+/// Lags that the input's news explain as well, unless structure is left without them: noise has none.
+bool drop_lags_of_news(AxisOutcome& outcome) {
+  AxisDiagnosis before = outcome.diagnosis;
+  if (!drop_what_input_news_explain(outcome.diagnosis)) return false;
+  const double left = leftover_of(outcome.diagnosis.fit, outcome.least_function()).gain;
+  const bool is_explained = left < outcome.least_unnamed() || left < outcome.leftover.gain;
+  if (!is_explained) outcome.diagnosis = std::move(before);
+  return is_explained;
+}
+
 void conclude(AxisOutcome& outcome, double noise_evidence) {
   AxisDiagnosis& diagnosis = outcome.diagnosis;
   const bool is_lasting = outcome.noise_evidence > 0.0 && !diagnosis.fit.signals().is_thinned;
@@ -182,7 +193,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   const double named = outcome.named_deviance();
   has_changed |= drop_what_lasting_noise_explains(diagnosis, noise_evidence);
   const double dropped = named - outcome.named_deviance();
-  has_changed |= drop_what_input_news_explain(diagnosis);
+  has_changed |= drop_lags_of_news(outcome);
   if (has_changed) outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
   drop_what_is_left_of_shapes(outcome);
   tell_wandering_from_noise(dropped, outcome);
@@ -216,7 +227,13 @@ double AxisOutcome::least_name() const {
 }
 
 double AxisOutcome::threshold_of(const Finding& finding) const {
-  return finding.evidence < threshold() ? least_name() : threshold();
+  const bool is_judged_beside_noise = finding.evidence < threshold() || finding.kept > kUsuallyKept;
+  return is_judged_beside_noise ? least_name() : threshold();
+}
+
+bool AxisOutcome::is_strongest(const Finding& finding) const {
+  return std::none_of(diagnosis.found.begin(), diagnosis.found.end(),
+                      [&finding](const Finding& other) { return other.evidence > finding.evidence; });
 }
 
 double AxisOutcome::least_function() const { return std::max(diagnosis.least_evidence, chance.quantile99); }

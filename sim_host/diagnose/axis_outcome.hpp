@@ -28,8 +28,9 @@ struct AxisOutcome {
   [[nodiscard]] double threshold() const;
   /// Evidence below which chance makes names: those between the two are judged beside such noise.
   [[nodiscard]] double least_name() const;
-  /// What this one, which was found, has needed.
+  /// What this one, which was found, has needed: beside noise that lasts it may have been judged already.
   [[nodiscard]] double threshold_of(const Finding& finding) const;
+  [[nodiscard]] bool is_strongest(const Finding& finding) const;
   /// The same for one of the functions without a name, which count together.
   [[nodiscard]] double least_function() const;
   /// Deviance that structure without a name needs.

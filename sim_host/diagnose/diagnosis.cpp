@@ -276,7 +276,8 @@ class Diagnosis {
     const double temperature = outcome.chance.temperature;
     EffectResult effect = named_effect(
         finding, fit,
-        {temperature, outcome.threshold_of(finding), unnamed, causes_of(outcome.diagnosis.found)});
+        {temperature, outcome.threshold_of(finding), unnamed, causes_of(outcome.diagnosis.found),
+         outcome.is_strongest(finding)});
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);

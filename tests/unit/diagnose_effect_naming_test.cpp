@@ -201,9 +201,16 @@ TEST_F(Naming, IsHardlyBelievedBesideStructureWithoutAName) {
   EXPECT_NEAR(named({{Effect::kFeedSpring, 4000.0}}, 0.3).confidence, 0.07 * 0.98, 1.0e-6);
 }
 
-TEST_F(Naming, IsHalfBelievedAmongManyCauses) {
-  EXPECT_NEAR(named({{Effect::kFeedSpring, 4000.0}}, 0.0, 2).confidence, 0.98, 1.0e-6);
-  EXPECT_NEAR(named({{Effect::kFeedSpring, 4000.0}}, 0.0, 3).confidence, 0.49, 1.0e-6);
+TEST_F(Naming, OfManyCausesIsBelievedWhereItIsTheStrongest) {
+  const auto confidence = [this](std::size_t causes, bool is_strongest) {
+    return named_effect(finding_of({{Effect::kFeedSpring, 4000.0}}), fit,
+                        {.threshold = 40.0, .causes = causes, .is_strongest = is_strongest})
+        .confidence;
+  };
+  EXPECT_NEAR(confidence(2, true), 0.98, 1.0e-6);
+  EXPECT_NEAR(confidence(2, false), 0.98, 1.0e-6);
+  EXPECT_NEAR(confidence(3, true), 0.833, 1.0e-6);
+  EXPECT_NEAR(confidence(3, false), 0.147, 1.0e-6);
 }
 
 }  // namespace
