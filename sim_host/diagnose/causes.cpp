@@ -82,6 +82,19 @@ bool is_its_constant(const gap::AppliedEffect& part, const gap::AppliedEffect& w
          std::fabs(part.coefficient[0]) < kOtherPower * std::fabs(whole.coefficient[0]);
 }
 
+bool has_dry_friction(std::span<const Finding> found) {
+  return std::any_of(found.begin(), found.end(), [](const Finding& f) {
+    return family_of(f.effect.form.effect) == Family::kDryFriction;
+  });
+}
+
+/// Dry friction that depends on the direction as well is a mean, which is dry friction, and a constant.
+bool is_its_dry_part(const Finding& part, const Finding& whole) {
+  return part.effect.form.effect == Effect::kFeedForceOffset &&
+         whole.effect.form.effect == Effect::kFeedAsymmetricFriction && part.evidence < whole.evidence &&
+         part.effect.coefficient[0] * whole.effect.coefficient[0] > 0.0;
+}
+
 }  // namespace
 
 std::optional<std::size_t> shaped_by(std::span<const Finding> found, std::size_t index) {
@@ -90,6 +103,7 @@ std::optional<std::size_t> shaped_by(std::span<const Finding> found, std::size_t
     const gap::AppliedEffect& whole = found[i].effect;
     if (is_its_second_pole(part, whole) || is_its_other_end(part, whole) || is_its_constant(part, whole))
       return i;
+    if (is_its_dry_part(found[index], found[i]) && !has_dry_friction(found)) return i;
   }
   const auto drive = std::find_if(found.begin(), found.end(), is_drive_lag);
   const auto other = other_sensor_as_late(found, index);

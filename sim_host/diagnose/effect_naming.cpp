@@ -121,9 +121,12 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
 }
 
 void take_shape(const EffectResult& shape, EffectResult& cause) {
-  if (!is_lag(family_of(cause.effect))) return;
-  cause.magnitude += shape.magnitude;
-  cause.standard_error = std::hypot(cause.standard_error, shape.standard_error, kOfShape * shape.magnitude);
+  const bool is_of_lag = is_lag(family_of(cause.effect));
+  if (!is_of_lag && cause.effect != Effect::kFeedAsymmetricFriction) return;
+  if (is_of_lag) {
+    cause.magnitude += shape.magnitude;
+    cause.standard_error = std::hypot(cause.standard_error, shape.standard_error, kOfShape * shape.magnitude);
+  }
   auto& aliases = cause.alias_set;
   if (std::find(aliases.begin(), aliases.end(), shape.effect) != aliases.end()) return;
   if (aliases.size() == kMostAliases) aliases.pop_back();

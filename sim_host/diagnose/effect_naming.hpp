@@ -37,7 +37,7 @@ struct NamingContext {
 EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context);
 
 /// Joins to a cause what gives it its shape: lags one after the other add up, and which is which nobody
-/// knows.
+/// knows; nor whether a constant force is friction that depends on the direction.
 void take_shape(const EffectResult& shape, EffectResult& cause);
 
 /// Standard error of the size of an effect, as a share of the size.

@@ -39,6 +39,13 @@ class SeenTrials(unittest.TestCase):
         self.assertEqual(trial.label["effects"][0]["name"], "bump_in_the_way")
         self.assertEqual(trial.verdict, "unexplained")
 
+    def test_a_lag_without_which_structure_is_left_is_one(self):
+        # Noise that a controller answers to makes lags, too; they leave nothing behind.
+        trial = self.trial(103, 492)
+        self.assertEqual(trial.truths, ["feed_drive_lag"])
+        self.assertEqual(trial.verdict, "effect")
+        self.assertTrue(trial.top_is_right())
+
     def test_what_an_effect_of_another_shape_leaves_is_not_taken_for_noise(self):
         trial = self.trial(41, 485)
         self.assertEqual(trial.truths, ["feed_screw_periodic"])

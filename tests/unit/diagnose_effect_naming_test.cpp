@@ -15,6 +15,7 @@ namespace morepro::host {
 namespace {
 
 using gap::Effect;
+using Effects = std::vector<Effect>;
 
 std::size_t causes(std::initializer_list<Effect> effects) {
   std::vector<Finding> found;
@@ -82,6 +83,21 @@ TEST(Causes, ALittleForceBesideABentFrictionIsItsShape) {
   EXPECT_FALSE(shaped_by(found, 1));
 }
 
+TEST(Causes, AForceOfTheSenseOfAFrictionIsItsDryPart) {
+  std::vector found{found_as(Effect::kFeedAsymmetricFriction, 5.0), found_as(Effect::kFeedForceOffset, 8.0)};
+  found[0].evidence = 2000.0;
+  found[1].evidence = 1000.0;
+  EXPECT_EQ(shaped_by(found, 1), 0U);
+  found[1].effect.coefficient[0] = -8.0;
+  EXPECT_FALSE(shaped_by(found, 1));
+  found[1] = found_as(Effect::kFeedForceOffset, 8.0);
+  found[1].evidence = 3000.0;
+  EXPECT_FALSE(shaped_by(found, 1));
+  found[1].evidence = 1000.0;
+  found.push_back(found_as(Effect::kFeedCoulombFriction, 1.0));
+  EXPECT_FALSE(shaped_by(found, 1));
+}
+
 TEST(Causes, WhatGivesAShapeIsNone) {
   const std::vector found{found_as(Effect::kSpindleSpeedBandwidth, 1.0e-3),
                           found_as(Effect::kSpindleSpeedDelay, 1.0e-4),
@@ -109,6 +125,10 @@ TEST(Causes, LagsOneAfterTheOtherAddUp) {
   EXPECT_DOUBLE_EQ(lag.magnitude, 3.0e-4);
   EXPECT_NEAR(lag.standard_error, 0.5e-4, 1.0e-6);
   EXPECT_EQ(lag.alias_set, (std::vector{Effect::kDriveLag, Effect::kCurrentDelay}));
+  EffectResult asymmetric{.effect = Effect::kFeedAsymmetricFriction, .magnitude = 5.0};
+  take_shape({.effect = Effect::kFeedForceOffset, .magnitude = 8.0}, asymmetric);
+  EXPECT_EQ(asymmetric.magnitude, 5.0);
+  EXPECT_EQ(asymmetric.alias_set, Effects{Effect::kFeedForceOffset});
   EffectResult friction{.effect = Effect::kFeedCoulombFriction, .magnitude = 5.0};
   take_shape({.effect = Effect::kFeedStribeckFriction, .magnitude = 0.6}, friction);
   EXPECT_EQ(friction.magnitude, 5.0);
@@ -139,8 +159,6 @@ struct Naming : testing::Test {
         {.temperature = temperature, .threshold = 40.0, .unnamed_share = unnamed_share, .causes = causes});
   }
 };
-
-using Effects = std::vector<Effect>;
 
 TEST_F(Naming, IsSureWhereNothingSpeaksAgainstIt) {
   const EffectResult alone = named({{Effect::kFeedSpring, 4000.0}, {Effect::kFeedForceOffset, 900.0}});
