@@ -13,7 +13,8 @@ namespace morepro::host {
 namespace {
 
 constexpr double kLeastEvidence = 40.0;
-// What is beyond both counts as the larger one: deviations, and what a whole interval makes.
+// What is beyond counts as this many deviations, or as what a whole interval makes of a position: its rate is
+// the same before and behind the sample, those of the others are not.
 constexpr double kLargestDeviation = 6.0;
 // Of squares of rates over noise, in 1/s2: from what takes a second to be seen to a microsecond's part.
 constexpr std::size_t kBins = 320;
@@ -129,7 +130,9 @@ Evaluation look_at(const AxisFit& fit, const GapModel& model) {
   run_observer(fit.axis(), fit.signals(), model, 0, fit.signals().rows, [&](const Innovation& v) {
     if (v.row == 0) return;
     const double rate = rates.at(v.row)[v.sensor];
-    const double most = std::max(kLargestDeviation * std::sqrt(v.variance), period_s * std::fabs(rate));
+    const bool is_position = fit.axis() == Axis::kFeed && v.sensor == 0;
+    const double of_interval = is_position ? period_s * std::fabs(rate) : 0.0;
+    const double most = std::max(kLargestDeviation * std::sqrt(v.variance), of_interval);
     const double value = std::clamp(v.value, -most, most);
     evaluation.residuals[2 * v.sensor + (v.in_contact ? 1 : 0)].add(value, rate, v.variance);
     evaluation.togetherness[v.sensor].add(value, rate, v.variance);
@@ -232,8 +235,8 @@ Judged with_its_noise(std::span<const AxisFit* const> fits, Judged best, double 
   return best;
 }
 
-/// What neighbours share of it, of the sensor that tells most of the jitter; and is there a sensor whose
-/// samples say that they were taken in time? All are taken by one clock.
+/// What neighbours share of it, of the sensor that shares least of those that tell much of the jitter; and is
+/// there a sensor whose samples say that they were taken in time? All are taken by one clock.
 struct Doubt {
   double shared = 0.0;
   bool is_refuted = false;
@@ -242,15 +245,18 @@ struct Doubt {
 Doubt doubt_about(const Judged& judged) {
   const auto& [evaluation, jitter] = judged;
   const double jitter_s2 = jitter.size_s * jitter.size_s;
-  Doubt doubt;
-  double most = 0.0;
-  for (std::size_t sensor = 0; sensor < evaluation.togetherness.size(); ++sensor) {
-    const double evidence = evidence_of(evaluation, sensor, jitter_s2);
-    doubt.is_refuted |= evidence < -kLeastEvidence;
-    if (!(evidence > most)) continue;
-    most = evidence;
+  constexpr double kMuch = 0.2;  // of what the one says that tells most
+  std::vector<double> evidence(evaluation.togetherness.size());
+  for (std::size_t sensor = 0; sensor < evidence.size(); ++sensor)
+    evidence[sensor] = evidence_of(evaluation, sensor, jitter_s2);
+  if (evidence.empty()) return {};
+  const auto [least, most] = std::minmax_element(evidence.begin(), evidence.end());
+  Doubt doubt{.shared = 1.0, .is_refuted = *least < -kLeastEvidence};
+  for (std::size_t sensor = 0; sensor < evidence.size(); ++sensor) {
+    if (!(evidence[sensor] > 0.0 && evidence[sensor] >= kMuch * *most)) continue;
     const Togetherness& t = evaluation.togetherness[sensor];
-    doubt.shared = t.shared / (jitter_s2 * t.per_s2);
+    const double shared = t.shared / (jitter_s2 * t.per_s2);
+    if (std::fabs(shared) < std::fabs(doubt.shared)) doubt.shared = shared;
   }
   return doubt;
 }

@@ -33,6 +33,37 @@ TEST(BoardWatch, DoesNotLookForWhatTheHostKnowsNotToBeThere) {
   EXPECT_NE(found.effect, Effect::kFeedForceOffset);
 }
 
+/// What noise may be worth is an estimate, and the host sees more.
+TEST(BoardWatch, HearsOfACauseThatTheHostIsSureOf) {
+  const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 0.1)}});
+  const host::BoardSight named{
+      .verdict = host::Verdict::kEffect, .causes = {Effect::kFeedForceOffset}, .is_excited = true};
+  gap::GapSettings settings = settings_with_noise(0.01);
+  const double evidence = static_cast<double>(watched(signals, named, settings).evidence);
+  ASSERT_GT(evidence, 100.0);
+  settings.feed.evidence = 2.0 * evidence;
+  EXPECT_EQ(watched(signals, {}, settings).verdict, gap::GapVerdict::kNoGap);
+  EXPECT_EQ(watched(signals, named, settings).effect, Effect::kFeedForceOffset);
+  EXPECT_LT(settings.feed.evidence, evidence);
+  settings.feed.evidence = 4.0 * evidence;
+  EXPECT_EQ(watched(signals, named, settings).verdict, gap::GapVerdict::kNoGap);
+}
+
+/// Half a percent is no error to the host, nor is it to a board that the host has told so.
+TEST(BoardWatch, TakesARightMachineForRight) {
+  const RecordingSignals signals = record({});
+  const MachineDescription sheet = datasheet(0.005);
+  const MachineParameters refitted = datasheet(0.0).configuration.machine;
+  const auto seen_by_host = [&](host::Verdict verdict) {
+    gap::GapSettings settings = settings_with_noise(0.01);
+    const host::BoardSight sight{
+        .verdict = verdict, .is_excited = true, .is_spindle_quiet = true, .is_feed_quiet = true};
+    return host::watch_on_board(signals, sheet, refitted, sight, settings).verdict;
+  };
+  EXPECT_EQ(seen_by_host(host::Verdict::kParameterError), gap::GapVerdict::kParameterError);
+  EXPECT_EQ(seen_by_host(host::Verdict::kNoGap), gap::GapVerdict::kNoGap);
+}
+
 /// Noise that was fitted to what has no name holds it: of a machine as it should be there is less.
 TEST(BoardWatch, SeesWhatNoiseWasFittedTo) {
   const RecordingSignals signals = record({.process_noise = 8.0});

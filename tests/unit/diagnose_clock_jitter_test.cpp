@@ -48,6 +48,18 @@ TEST(ClockJitter, IsNamedWhereProcessNoiseHasTakenIt) {
   EXPECT_NEAR(result.which.front().magnitude, kLargeS, 0.2 * kLargeS);
 }
 
+// A position that moves fast is ten deviations off. The current, whose rate jumps with its voltage, shares
+// more with its neighbour than a jitter does, and the position nothing; it was "unexplained".
+TEST(ClockJitter, IsNamedByTheSensorThatKnowsItBest) {
+  constexpr double kJitterS = 9.0e-5;
+  const auto result = diagnosed(
+      record({.effects = {effect(Effect::kClockJitter, kJitterS)}, .duration_s = 15.0, .rate_hz = 2000.0}),
+      datasheet(0.0));
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_EQ(result.which.front().effect, Effect::kClockJitter);
+  EXPECT_NEAR(result.which.front().magnitude, kJitterS, 0.2 * kJitterS);
+}
+
 /// A spindle whose samples and inputs hang on one clock that shakes: an interval is as long as its two
 /// instants are apart.
 RecordingSignals on_a_shaken_clock(double jitter_s) {
