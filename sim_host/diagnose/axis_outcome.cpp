@@ -176,13 +176,14 @@ void keep_surprises(AxisOutcome& outcome) {
 }
 
 /// Lags that the input's news explain as well, unless structure is left without them: noise has none.
-bool drop_lags_of_news(AxisOutcome& outcome) {
+void drop_lags_of_news(AxisOutcome& outcome) {
   AxisDiagnosis before = outcome.diagnosis;
-  if (!drop_what_input_news_explain(outcome.diagnosis)) return false;
-  const double left = leftover_of(outcome.diagnosis.fit, outcome.least_function()).gain;
-  const bool is_explained = left < outcome.least_unnamed() || left < outcome.leftover.gain;
-  if (!is_explained) outcome.diagnosis = std::move(before);
-  return is_explained;
+  if (!drop_what_input_news_explain(outcome.diagnosis)) return;
+  Leftover left = leftover_of(outcome.diagnosis.fit, outcome.least_function());
+  if (left.gain < outcome.least_unnamed() || left.gain < outcome.leftover.gain)
+    outcome.leftover = std::move(left);
+  else
+    outcome.diagnosis = std::move(before);
 }
 
 void conclude(AxisOutcome& outcome, double noise_evidence) {
@@ -193,8 +194,8 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   const double named = outcome.named_deviance();
   has_changed |= drop_what_lasting_noise_explains(diagnosis, noise_evidence);
   const double dropped = named - outcome.named_deviance();
-  has_changed |= drop_lags_of_news(outcome);
   if (has_changed) outcome.leftover = leftover_of(diagnosis.fit, outcome.least_function());
+  drop_lags_of_news(outcome);
   drop_what_is_left_of_shapes(outcome);
   tell_wandering_from_noise(dropped, outcome);
   drop_what_no_balance_shows(diagnosis);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lib/gap/effect_catalogue.hpp"
+#include "sim_host/diagnose/winding_heat.hpp"
 
 namespace morepro::host {
 namespace {
@@ -65,9 +66,9 @@ std::string untested_effects(const RecordingSignals& signals, const MachineDescr
         "current is shown are not looked for",
         kChannels[index_of(Channel::kArmatureVoltage)].column);
   const bool is_evaluated = why_not_evaluated(gap::Balance::kArmatureVoltage, signals, machine).empty();
-  const auto& spindle = machine.configuration.machine.spindle;
-  const bool is_stated = spindle.winding_time_constant_s > 0.0 && spindle.winding_rise_k_a2 > 0.0;
-  if (!is_evaluated || is_stated || signals.has(Channel::kWindingTemperature)) return "";
+  if (!is_evaluated || states_heat(machine.configuration.machine.spindle) ||
+      signals.has(Channel::kWindingTemperature))
+    return "";
   return fmt::format(
       "{} is not recorded: it is taken from the square of the current, and {} and {} have no size",
       kChannels[index_of(Channel::kWindingTemperature)].column,

@@ -46,12 +46,9 @@ void warm_to_usual(double time_s, RecordingSignals& signals) {
   warm(heat, {.time_s = time_s, .rise_k_a2 = kHottestK / hottest}, signals);
 }
 
-/// As the machine file says; false where it does not.
-bool warm_as_stated(const MachineParameters::Spindle& spindle, RecordingSignals& signals) {
+void warm_as_stated(const MachineParameters::Spindle& spindle, RecordingSignals& signals) {
   const WindingHeat stated{spindle.winding_time_constant_s, spindle.winding_rise_k_a2, true};
-  if (!(stated.time_s > 0.0 && stated.rise_k_a2 > 0.0)) return false;
   warm(heat_of(signals, stated.time_s), stated, signals);
-  return true;
 }
 
 /// How much the best drift would explain beside the model of a fit to the same recording without heat.
@@ -71,11 +68,15 @@ double evidence_of_drifts(const AxisFit& without, const RecordingSignals& signal
 
 }  // namespace
 
+bool states_heat(const MachineParameters::Spindle& spindle) {
+  return spindle.winding_time_constant_s > 0.0 && spindle.winding_rise_k_a2 > 0.0;
+}
+
 void heat_winding_by_current(RecordingSignals& signals, const GapModel& datasheet) {
   if (signals.has(Channel::kWindingTemperature) || !signals.has_electrics() || signals.rows == 0 ||
       !signals.has(Channel::kArmatureVoltage) || !signals.has(Channel::kSpindleSpeed))
     return;
-  if (warm_as_stated(datasheet.machine.spindle, signals)) return;
+  if (states_heat(datasheet.machine.spindle)) return warm_as_stated(datasheet.machine.spindle, signals);
   AxisFit without(Axis::kSpindle, signals, datasheet);
   without.narrow_down();
   without.settle(kRoundsWithoutHeat);

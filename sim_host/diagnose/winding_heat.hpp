@@ -4,6 +4,9 @@
 
 namespace morepro::host {
 
+/// Does the machine file say how the current heats its winding?
+bool states_heat(const MachineParameters::Spindle& spindle);
+
 /// Where voltage, speed and current of the spindle were recorded and no temperature of its winding: fills in
 /// how the square of the current heats it, as the machine file states it. Where it does not, of the usual time
 /// constants by the one with which the drifts of resistance and magnet explain most, and by ten kelvins at
