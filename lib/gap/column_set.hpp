@@ -91,16 +91,20 @@ class ColumnSet {
   void for_each(const EffectSignals<Real>& signals, bool in_sensor, Visit visit) {
     for (std::size_t j = 0; j < terms_; ++j) {
       const bool acts = is_in_sensor(term_[j].form().effect) == in_sensor;
-      if constexpr (kHasOnsets)
-        visit(j, acts ? late_step(j, signals) : Contribution<Real>{});
-      else
-        visit(j, acts ? term_[j].step(signals, scales_) : Contribution<Real>{});
+      visit(j, acts ? step(j, signals) : Contribution<Real>{});
     }
   }
 
  private:
-  Contribution<Real> late_step(std::size_t j, const EffectSignals<Real>& signals) {
-    if (onset_[j].time_s <= Real(0)) return term_[j].step(signals, scales_);
+  Contribution<Real> step(std::size_t j, const EffectSignals<Real>& signals) {
+    if constexpr (kHasOnsets)
+      if (onset_[j].time_s > Real(0)) return late_step(j, signals);
+    return term_[j].step(signals, scales_);
+  }
+
+  // Apart: what it copies would cost every term that is there from the start as much as its law.
+  [[gnu::noinline]] Contribution<Real> late_step(std::size_t j,
+                                                 const EffectSignals<Real>& signals) requires kHasOnsets {
     const bool is_on = onset_[j].has_come(signals);
     const Contribution<Real> one = term_[j].step(onset_[j].since(signals), scales_);
     return is_on ? one : Contribution<Real>{};

@@ -60,8 +60,11 @@ GapStatistics AxisFit::collect_with_each(const Disturbances& candidates) const {
   return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, kBlockS, Moments::kFormByForm);
 }
 
-GapStatistics AxisFit::innovations() const {
-  return collect(axis_, *signals_, stretches_, model_, {}, whitening_, kBlockS, Moments::kOfInnovations);
+const GapStatistics& AxisFit::innovations() const {
+  if (!innovations_)
+    innovations_ = std::make_shared<const GapStatistics>(collect(
+        axis_, *signals_, stretches_, model_, Disturbances{}, whitening_, kBlockS, Moments::kOfInnovations));
+  return *innovations_;
 }
 
 std::optional<AxisFit::KnownSize> AxisFit::known_size_of(gap::Effect effect) const {
@@ -150,7 +153,7 @@ bool AxisFit::improve(Trial& best) {
   if (!(promised > kSettled * unit)) return false;
   const GapModel start = model_;
   for (; best.damping < kDampings.size(); ++best.damping) {
-    model_ = start;
+    model() = start;
     take(step_of(best.moments, active, kDampings[best.damping]));
     Trial trial = tried();
     if (!(trial.cost < best.cost) && best.damping == 0) follow_bend(best, trial);
@@ -162,7 +165,7 @@ bool AxisFit::improve(Trial& best) {
     best = std::move(trial);
     return gained > std::max(kSettled * unit, kCrawl * promised);
   }
-  model_ = start;
+  model() = start;
   return false;
 }
 
@@ -234,20 +237,20 @@ std::array<GapModel, 2> AxisFit::cross_fitted(double block_s, std::size_t blocks
   return models;
 }
 
-void AxisFit::expect_little_noise() { expect_process_noise(least_noise_share_, model_.noise); }
+void AxisFit::expect_little_noise() { expect_process_noise(least_noise_share_, model().noise); }
 
 void AxisFit::refit() {
   Trial best = tried();
   for (int i = 0; i < kMostImprovements && improve(best); ++i) {
   }
-  whitening_ = whitening_of(best.statistics);
+  set_whitening(whitening_of(best.statistics));
   unlikeliness_ = unlikeliness_of(best.statistics);
 }
 
 void AxisFit::match_noise() {
-  fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model_);
+  fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model());
   const Trial here = tried();
-  whitening_ = whitening_of(here.statistics);
+  set_whitening(whitening_of(here.statistics));
   unlikeliness_ = unlikeliness_of(here.statistics);
 }
 
@@ -324,7 +327,7 @@ void AxisFit::take_turns(int most_rounds, double rival) {
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < kMostInVain; ++round) {
     const bool has_changed =
-        fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model_);
+        fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model());
     if (!has_changed && std::isfinite(best.unlikeliness_)) break;
     refit();
     if (!std::isfinite(unlikeliness_)) break;

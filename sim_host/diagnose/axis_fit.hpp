@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -79,8 +80,9 @@ class AxisFit {
   [[nodiscard]] GapStatistics collect_with(const Disturbances& candidates) const;
   /// The same for candidates that are tried one by one.
   [[nodiscard]] GapStatistics collect_with_each(const Disturbances& candidates) const;
-  /// The innovations of the model as it stands, and the moment of these alone.
-  [[nodiscard]] GapStatistics innovations() const;
+  /// The innovations of the model as it stands, and the moment of these alone; they are kept until it
+  /// changes, and for its copies. Not for two threads at once.
+  [[nodiscard]] const GapStatistics& innovations() const;
   /// Columns of the parameters.
   [[nodiscard]] std::vector<Eigen::Index> parameter_columns() const;
   /// Precision of the prior on the parameter columns and where it draws them, for `width` columns of moments.
@@ -117,11 +119,17 @@ class AxisFit {
 
   [[nodiscard]] Axis axis() const { return axis_; }
   [[nodiscard]] const RecordingSignals& signals() const { return *signals_; }
-  GapModel& model() { return model_; }
+  GapModel& model() {
+    innovations_.reset();
+    return model_;
+  }
   [[nodiscard]] const GapModel& model() const { return model_; }
   [[nodiscard]] const GapModel& datasheet() const { return datasheet_; }
   [[nodiscard]] const Whitening& whitening() const { return whitening_; }
-  void set_whitening(const Whitening& whitening) { whitening_ = whitening; }
+  void set_whitening(const Whitening& whitening) {
+    innovations_.reset();
+    whitening_ = whitening;
+  }
 
  private:
   struct Trial {
@@ -144,6 +152,7 @@ class AxisFit {
   [[nodiscard]] Trial tried() const;
   void look_at(std::vector<Stretch> stretches) {
     stretches_ = std::move(stretches);
+    innovations_.reset();
     unlikeliness_ = kNone;
   }
   void take_turns(int most_rounds, double rival);
@@ -169,7 +178,8 @@ class AxisFit {
   bool weighs_all_ages_ = false;     ///< of past innovations, beside noise that lasts
   const InputNews* news_ = nullptr;  ///< that are weighed along
   int known_directions_ = 0;
-  Eigen::MatrixXd covariance_;  ///< of parameters and sizes
+  mutable std::shared_ptr<const GapStatistics> innovations_;  ///< of the model as it stands, if asked for
+  Eigen::MatrixXd covariance_;                                ///< of parameters and sizes
   Eigen::VectorXd standard_error_;
 };
 

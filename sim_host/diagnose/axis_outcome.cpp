@@ -44,8 +44,8 @@ double freedom_of_parameters(const AxisFit& fit) {
 double deviance_of_datasheet(const AxisFit& nominal) {
   AxisFit datasheet = nominal;
   datasheet.model().machine = nominal.datasheet().machine;
-  const GapStatistics wrong = datasheet.innovations();
-  const GapStatistics right = nominal.innovations();
+  const GapStatistics& wrong = datasheet.innovations();
+  const GapStatistics& right = nominal.innovations();
   if (!(right.total_rows() > 0.0)) return 0.0;
   const double rows = right.total_rows();
   return rows * std::log(wrong.total()(0, 0) / right.total()(0, 0));
@@ -252,6 +252,7 @@ std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals
                                       const DiagnosisOptions& options) {
   const std::vector<AxisFit> starts = nominal_fits(AxisFit(axis, signals, datasheet));
   if (starts.front().unlikeliness() == 0.0) return std::nullopt;
+  static_cast<void>(starts.front().innovations());  // which the outcome's fits share where nothing is found
   AxisOutcome outcome = outcome_from(starts.front(), starts.front(), options);
   const auto try_from = [&](const AxisFit& start) {
     AxisOutcome other = outcome_from(start, starts.front(), options);

@@ -8,7 +8,6 @@
 #include "lib/monitor/configuration_check.hpp"
 #include "lib/monitor/sample_limits.hpp"
 #include "sim_host/diagnose/causes.hpp"
-#include "sim_host/diagnose/innovation_pass.hpp"
 
 namespace morepro::host {
 namespace {
@@ -36,11 +35,13 @@ double noise_ratio(const AxisFit& fit) {
   constexpr double kHuber = 5.0;
   double sum = 0.0;
   double count = 0.0;
-  run_observer(fit.axis(), fit.signals(), fit.model(), 0, fit.signals().rows, [&](const Innovation& v) {
-    const double size = std::fabs(v.value) / std::sqrt(v.variance);
-    sum += size < kHuber ? size * size : kHuber * size;
-    count += 1.0;
-  });
+  for (const std::vector<float>& normalised : fit.innovations().normalised) {
+    for (const float value : normalised) {
+      const auto size = static_cast<double>(std::fabs(value));
+      sum += size < kHuber ? size * size : kHuber * size;
+    }
+    count += static_cast<double>(normalised.size());
+  }
   return count > 0.0 ? std::max(1.0, sum / count) : 1.0;
 }
 

@@ -1,7 +1,6 @@
 #include "sim_host/diagnose/board_watch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -93,16 +92,16 @@ void heed(const Axis& axis, const BoardSight& sight, gap::GapLimits& limits) {
   if (needed > least) limits.evidence = std::min(limits.evidence, needed);
 }
 
-/// `rate_hz`: of the frames.
-gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rate_hz,
-                               const MachineParameters& machine, const BoardSight& sight,
-                               gap::GapSettings& settings) {
+/// By so many of the watches that take turns. `rate_hz`: of the frames.
+gap::GapFinding found_by(std::size_t watches, const std::vector<BoardFrame>& frames, double rate_hz,
+                         const MachineParameters& machine, const BoardSight& sight,
+                         gap::GapSettings& settings) {
   const auto new_watch = [&] {
     return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / rate_hz, settings);
   };
   const auto since = static_cast<std::size_t>(sight.since_s * rate_hz);
-  std::array<std::unique_ptr<Watch>, kWatches> parts;
-  in_parallel(kWatches, [&](std::size_t k) {
+  std::vector<std::unique_ptr<Watch>> parts(watches);
+  in_parallel(watches, [&](std::size_t k) {
     parts[k] = new_watch();
     show(frames, since + k * kShift, *parts[k]);
     parts[k]->finish();
@@ -130,6 +129,24 @@ gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rat
   heed(all->feed(), sight, settings.feed);
   judge_again();
   return all->finding();
+}
+
+gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rate_hz,
+                               const MachineParameters& machine, const BoardSight& sight,
+                               gap::GapSettings& settings) {
+  return found_by(kWatches, frames, rate_hz, machine, sight, settings);
+}
+
+/// One watch is mostly enough to see that values are wrong, and the others would find the same.
+gap::GapFinding found_by_datasheet(const std::vector<BoardFrame>& frames, double rate_hz,
+                                   const MachineParameters& datasheet, const BoardSight& sight,
+                                   gap::GapSettings& settings) {
+  if (sight.verdict == Verdict::kParameterError) {
+    gap::GapSettings of_one = settings;
+    const gap::GapFinding found = found_by(1, frames, rate_hz, datasheet, sight, of_one);
+    if (found.verdict >= GapVerdict::kParameterError) return found;
+  }
+  return found_on_board(frames, rate_hz, datasheet, sight, settings);
 }
 
 /// Does the board name what the host, which has found another cause or none that has a name, knows not to
@@ -184,7 +201,7 @@ gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineDes
   const bool is_right = sight.verdict == Verdict::kNoGap;
   if (!is_right) of_values.verdict = Verdict::kParameterError;
   of_values.is_spindle_quiet = of_values.is_feed_quiet = is_right;
-  gap::GapFinding by_datasheet = found_on_board(frames, signals.rate_hz, datasheet, of_values, settings);
+  gap::GapFinding by_datasheet = found_by_datasheet(frames, signals.rate_hz, datasheet, of_values, settings);
   // What other values explain is no effect, whatever it looks like beside wrong ones.
   if (by_datasheet.verdict != GapVerdict::kNoGap) by_datasheet.verdict = GapVerdict::kParameterError;
   return by_datasheet;

@@ -81,7 +81,7 @@ class Collector {
     statistics_.normalised[sensor].push_back(static_cast<float>(innovation.value / deviation));
     statistics_.in_contact[sensor].push_back(innovation.in_contact);
     statistics_.row[sensor].push_back(static_cast<std::uint32_t>(innovation.row));
-    statistics_.log_variance[sensor] += std::log(innovation.variance);
+    statistics_.log_variance[sensor] += log_of(innovation.variance, last_[sensor]);
     const std::size_t block = innovation.row / rows_per_block_;
     if (block != block_) flush();
     block_ = block;
@@ -96,6 +96,16 @@ class Collector {
   }
 
  private:
+  /// Mostly the observer has settled.
+  struct Logarithm {
+    double of = 1.0;
+    double value = 0.0;
+  };
+  static double log_of(double variance, Logarithm& last) {
+    if (variance != last.of) last = {variance, std::log(variance)};
+    return last.value;
+  }
+
   void flush(std::size_t sensor) {
     const auto rows = rows_[sensor].take(whitening_[sensor], batch_);
     if (rows.rows() == 0) return;
@@ -149,6 +159,7 @@ class Collector {
   std::size_t block_ = 0;
   std::array<SensorRows, kSensorsPerAxis> rows_;
   std::array<std::size_t, kSensorsPerAxis> settled_{};  ///< rows of this stretch
+  std::array<Logarithm, kSensorsPerAxis> last_{};
 };
 
 }  // namespace

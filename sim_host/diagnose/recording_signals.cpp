@@ -221,43 +221,37 @@ RecordingSignals beginning_of(const RecordingSignals& signals, std::size_t rows)
 
 FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameters& machine, std::size_t first,
                          Temperatures temperatures)
-    : signals_(signals), row_(first), winding_degc_(kUnmeasuredWindingDegc), temperatures_(temperatures) {
+    : signals_(signals), row_(first), winding_degc_(kUnmeasuredWindingDegc) {
+  for (std::size_t c = 0; c < kChannelCount; ++c)
+    if (!signals.value[c].empty()) column_[c] = signals.value[c].data();
+  const auto calm_down = [&](Channel channel, const std::vector<float>& calm) {
+    const bool is_as_recorded = temperatures == Temperatures::kAsRecorded && signals.has(channel);
+    if (!calm.empty() && !is_as_recorded) column_[index_of(channel)] = calm.data();
+  };
+  calm_down(Channel::kToolTemperature, signals.calm_tool_degc);
+  calm_down(Channel::kWindingTemperature, signals.calm_winding_degc);
   input_.engagement = machine.feed.engagement;
   input_.chip_load_mm = machine.tool.chip_load_mm;
   input_.tool_temperature_degc = machine.thermal.tool_degc;
   if (first < signals.cutting_time_s.size()) cutting_time_s_ = signals.cutting_time_s[first];
 }
 
-double FrameSource::held(Channel channel, double& value) const {
-  sampled(channel, value);
-  return value;
-}
-
-bool FrameSource::sampled(Channel channel, double& value) const {
-  const auto& column = signals_.value[index_of(channel)];
-  if (column.empty() || std::isnan(column[row_])) return false;
+bool FrameSource::sampled(const float* column, double& value) const {
+  if (column == nullptr || std::isnan(column[row_])) return false;
   value = static_cast<double>(column[row_]);
   return true;
-}
-
-void FrameSource::follow(Channel channel, const std::vector<float>& calm, double& value) const {
-  const bool is_as_recorded = temperatures_ == Temperatures::kAsRecorded && signals_.has(channel);
-  if (calm.empty() || is_as_recorded)
-    sampled(channel, value);
-  else if (!std::isnan(calm[row_]))
-    value = static_cast<double>(calm[row_]);
 }
 
 gap::GapFrame<double> FrameSource::next() {
   gap::GapFrame<double> frame;
   missing_ = signals_.missing_rows > 0 && is_missing(signals_, row_) ? missing_ + 1 : 0;
-  held(Channel::kArmatureVoltage, input_.armature_voltage_v);
-  held(Channel::kFeedForce, input_.feed_force_n);
-  held(Channel::kContact, input_.contact);
-  held(Channel::kEngagement, input_.engagement);
-  held(Channel::kChipLoad, input_.chip_load_mm);
-  follow(Channel::kToolTemperature, signals_.calm_tool_degc, input_.tool_temperature_degc);
-  follow(Channel::kWindingTemperature, signals_.calm_winding_degc, winding_degc_);
+  sampled(Channel::kArmatureVoltage, input_.armature_voltage_v);
+  sampled(Channel::kFeedForce, input_.feed_force_n);
+  sampled(Channel::kContact, input_.contact);
+  sampled(Channel::kEngagement, input_.engagement);
+  sampled(Channel::kChipLoad, input_.chip_load_mm);
+  sampled(Channel::kToolTemperature, input_.tool_temperature_degc);
+  sampled(Channel::kWindingTemperature, winding_degc_);
   frame.time_s = signals_.time_s(row_);
   frame.input = input_;
   frame.winding_degc = winding_degc_;

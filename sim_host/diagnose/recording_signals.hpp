@@ -131,17 +131,17 @@ class FrameSource {
   [[nodiscard]] bool has_lost_track() const { return missing_ > kLongestBridge; }
 
  private:
-  double held(Channel channel, double& value) const;
-  bool sampled(Channel channel, double& value) const;
-  void follow(Channel channel, const std::vector<float>& calm, double& value) const;
+  bool sampled(const float* column, double& value) const;
+  bool sampled(Channel channel, double& value) const { return sampled(column_[index_of(channel)], value); }
 
   const RecordingSignals& signals_;
+  std::array<const float*, kChannelCount>
+      column_{};  ///< none: nothing is recorded; of temperatures the calm ones
   std::size_t row_ = 0;
   std::size_t missing_ = 0;  ///< rows in a row
   double cutting_time_s_ = 0.0;
   PlantInput<double> input_;
   double winding_degc_;
-  Temperatures temperatures_;
 };
 
 }  // namespace morepro::host

@@ -1,32 +1,24 @@
 #include "sim_host/diagnose/surprises.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-
-#include "sim_host/diagnose/innovation_pass.hpp"
 
 namespace morepro::host {
 
 Surprises surprises_of(const AxisFit& fit) {
   constexpr double kSurprising = 25.0;  // squared standard deviations: of noise one row in two millions
-  struct Sum {
-    double rows = 0.0;
+  Surprises surprises;
+  for (const std::vector<float>& normalised : fit.innovations().normalised) {
     double surprising = 0.0;
     double power = 0.0;
-  };
-  std::array<Sum, kSensorsPerAxis> sums;
-  run_observer(fit.axis(), fit.signals(), fit.model(), 0, fit.signals().rows, [&](const Innovation& v) {
-    const double power = v.value * v.value / v.variance;
-    Sum& sum = sums[v.sensor];
-    sum.rows += 1.0;
-    sum.power += power;
-    if (power > kSurprising) sum.surprising += 1.0;
-  });
-  Surprises surprises;
-  for (const Sum& sum : sums) {
-    if (!(sum.rows > 0.0) || !(sum.surprising / sum.rows > surprises.share)) continue;
-    surprises = {sum.surprising / sum.rows, sum.rows * std::log(std::max(sum.power / sum.rows, 1.0))};
+    for (const float value : normalised) {
+      const double square = static_cast<double>(value) * static_cast<double>(value);
+      power += square;
+      if (square > kSurprising) surprising += 1.0;
+    }
+    const auto rows = static_cast<double>(normalised.size());
+    if (!(rows > 0.0) || !(surprising / rows > surprises.share)) continue;
+    surprises = {surprising / rows, rows * std::log(std::max(power / rows, 1.0))};
   }
   return surprises;
 }

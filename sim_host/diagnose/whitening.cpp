@@ -11,27 +11,20 @@ constexpr std::size_t kFewestToWhiten = 400;  // for nine coefficients and two s
 constexpr float kLargestNormalised = 6.0F;
 constexpr double kNegligible = 0.02;  // of a memory: costs more than it whitens
 
-double mean_square_of(std::span<const float> normalised, const std::vector<bool>& in_contact, bool contact) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < normalised.size(); ++i) {
-    if (in_contact[i] != contact) continue;
-    sum += static_cast<double>(normalised[i]) * static_cast<double>(normalised[i]);
-    ++count;
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
-/// Free and in contact. A state that is seldom has no scale of its own, and counts: its rows may be those that
-/// a wrong model misses most.
+/// Free and in contact. A state that is seldom has no scale of its own, and counts: its rows may be those
+/// that a wrong model misses most.
 std::array<double, 2> scales_of(std::span<const float> normalised, const std::vector<bool>& in_contact) {
-  const auto cut = static_cast<std::size_t>(std::count(in_contact.begin(), in_contact.end(), true));
-  const double free = mean_square_of(normalised, in_contact, false);
-  const double contact = mean_square_of(normalised, in_contact, true);
-  if (cut >= kFewestToWhiten && normalised.size() - cut >= kFewestToWhiten)
-    return {std::sqrt(free), std::sqrt(contact)};
-  const double share = static_cast<double>(cut) / static_cast<double>(normalised.size());
-  const double all = std::sqrt((1.0 - share) * free + share * contact);
+  std::array<double, 2> squares{};
+  std::array<std::size_t, 2> count{};
+  for (std::size_t i = 0; i < normalised.size(); ++i) {
+    const std::size_t state = in_contact[i] ? 1 : 0;
+    squares[state] += static_cast<double>(normalised[i]) * static_cast<double>(normalised[i]);
+    ++count[state];
+  }
+  if (count[0] >= kFewestToWhiten && count[1] >= kFewestToWhiten)
+    return {std::sqrt(squares[0] / static_cast<double>(count[0])),
+            std::sqrt(squares[1] / static_cast<double>(count[1]))};
+  const double all = std::sqrt((squares[0] + squares[1]) / static_cast<double>(normalised.size()));
   return {all, all};
 }
 
