@@ -41,6 +41,8 @@ constexpr void copy_gap(const From& from, To& to) {
   to.speed_process_noise_rad_s = from.speed_process_noise_rad_s;
   to.current_process_noise_a = from.current_process_noise_a;
   to.feed_process_noise_m_s = from.feed_process_noise_m_s;
+  to.lost_share = from.lost_share;
+  to.clock_jitter_s = from.clock_jitter_s;
   copy_limits(from.spindle, to.spindle);
   copy_limits(from.feed, to.feed);
 }

@@ -92,6 +92,8 @@ typedef struct morepro_configuration {
     double speed_process_noise_rad_s;
     double current_process_noise_a;
     double feed_process_noise_m_s;
+    double lost_share;      ///< of its frames that a good link loses, 0 .. 1; 0: nobody looks
+    double clock_jitter_s;  ///< standard deviation of the sampling instants, as far as it is known
     morepro_gap_limits spindle;
     morepro_gap_limits feed;
   } gap;

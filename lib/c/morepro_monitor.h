@@ -13,7 +13,7 @@ extern "C" {
 
 /// Room of a monitor in bytes; the library does not compile where it is too small or wastes more than 512.
 #if UINTPTR_MAX > 0xFFFFFFFFU
-#define MOREPRO_MONITOR_BYTES 45056
+#define MOREPRO_MONITOR_BYTES 45312
 #else
 #define MOREPRO_MONITOR_BYTES 44032
 #endif

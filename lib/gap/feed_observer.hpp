@@ -57,6 +57,8 @@ class FeedObserver {
   void leave_out_columns() { has_columns_ = false; }
   /// The next frame is a new beginning, in the same place.
   void restart() { is_started_ = false; }
+  /// Estimate of a state: before a frame is seen as the model predicts it.
+  [[nodiscard]] Real state(std::size_t index) const { return observer_.mean(index); }
 
   /// Positions count from there, not from the first one that is seen. Before the first frame.
   void count_positions_from(Real origin_m) {

@@ -5,6 +5,7 @@
 
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/gap_watch_axis.hpp"
+#include "lib/gap/jitter_watch.hpp"
 #include "lib/gap/sample_watch.hpp"
 #include "lib/gap/spindle_observer.hpp"
 
@@ -41,6 +42,7 @@ class GapWatch {
         feed_(machine, point, step_s, noise_of(settings.noise), kFeedForms,
               {kSpread, kSpread, load_spread(machine), load_spread(machine)}, settings.feed),
         samples_(settings.samples),
+        known_jitter_(square(static_cast<Real>(settings.samples.clock_jitter_s) / static_cast<Real>(step_s))),
         step_s_(static_cast<Real>(step_s)) {}
 
   /// Is the next frame one of those that are not stored? Then rest() is enough.
@@ -104,10 +106,13 @@ class GapWatch {
     spindle_.merge(other.spindle_);
     feed_.merge(other.feed_);
     samples_.merge(other.samples_);
+    jitter_.merge(other.jitter_);
   }
 
   /// The most important one of both axes and the samples.
   [[nodiscard]] const GapFinding& finding() const { return finding_; }
+  /// Standard deviation of the sampling instants beside what is known; 0: none is seen.
+  [[nodiscard]] Real clock_jitter_s() const { return step_s_ * math::sqrt(jitter_.jitter().variance); }
   [[nodiscard]] const SpindleAxis& spindle() const { return spindle_; }
   [[nodiscard]] const FeedAxis& feed() const { return feed_; }
 
@@ -181,7 +186,7 @@ class GapWatch {
     const bool is_second_half = piece % 2 != 0;
     const GapFrame<Real>& frame = stretch_[index];
     if (is_second_half)
-      return is_spindle ? spindle_.observer().move_on(frame) : feed_.observer().move_on(frame);
+      return is_spindle ? move_on(spindle_.observer(), frame) : move_on(feed_.observer(), frame);
     if (is_spindle)
       see_spindle(frame, index);
     else
@@ -192,6 +197,8 @@ class GapWatch {
     if (index == 0) spindle_.observer().restart();
     auto& [speed, current] = spindle_rows_;
     spindle_.observer().see(frame, spindle_rows_);
+    see_jitter(index, 0, speed);
+    see_jitter(index, 1, current);
     if (index >= kSettling) spindle_.take(index % 2 == 0 ? speed : current, index % 2 == 0 ? current : speed);
   }
 
@@ -199,8 +206,37 @@ class GapWatch {
     if (index == 0) feed_.observer().restart();
     auto& [position, speed] = feed_rows_;
     feed_.observer().see(frame, frame.speed_rad_s, frame.angle_rad, feed_rows_);
+    see_jitter(index, 2, position);
+    see_jitter(index, 3, speed);
     if (index >= kSettling) feed_.take(index % 2 == 0 ? speed : position, index % 2 == 0 ? position : speed);
   }
+
+  /// What the states change by up to the next sample, as the model tells it: the sample itself knows nothing
+  /// of that.
+  template <class Observer>
+  void move_on(Observer& observer, const GapFrame<Real>& frame) {
+    const std::array<Real, 2> before{observer.state(0), observer.state(1)};
+    observer.move_on(frame);
+    rate_ = {observer.state(0) - before[0], observer.state(1) - before[1]};
+  }
+
+  /// `sensor`: of either axis in its observer's order. A jitter that is known is a part of the noise.
+  template <class Row>
+  void see_jitter(std::size_t index, std::size_t sensor, Row& row) {
+    constexpr Real kDeviations = 6;
+    constexpr std::size_t kPosition = 2;
+    if (index == kSettling) jitter_.interrupt();
+    if (index < kSettling || !row.is_measured) return;
+    const Real rate = rate_[sensor % 2];
+    row.variance += known_jitter_ * rate * rate;
+    const Real most = kDeviations * math::sqrt(row.variance);
+    jitter_.see(sensor, {.innovation = row.innovation,
+                         .variance = row.variance,
+                         .rate = rate,
+                         .most = sensor == kPosition ? std::max(most, math::abs(rate)) : most});
+  }
+
+  static Real square(Real x) { return x * x; }
 
   void move_on(Real contact) {
     if (contact > Real(0.5)) ++cutting_frames_;
@@ -232,11 +268,27 @@ class GapWatch {
     const GapFinding sampled = samples_.finding();
     const bool is_lesser = finding_.verdict < sampled.verdict || finding_.evidence < sampled.evidence;
     if (sampled.verdict == GapVerdict::kEffect && is_lesser) finding_ = sampled;
+    find_jitter();
+  }
+
+  void find_jitter() {
+    constexpr float kConfidence = 0.97F;
+    const auto evidence = static_cast<float>(jitter_.jitter().evidence);
+    const bool is_lesser = finding_.verdict == GapVerdict::kEffect && finding_.evidence > evidence;
+    if (!(evidence > 0.0F) || is_lesser) return;
+    finding_ = {.verdict = GapVerdict::kEffect,
+                .where = group_of(Effect::kClockJitter),
+                .effect = Effect::kClockJitter,
+                .confidence = kConfidence,
+                .evidence = evidence};
   }
 
   SpindleAxis spindle_;
   FeedAxis feed_;
   SampleWatch<Real> samples_;
+  JitterWatch<Real> jitter_;
+  std::array<Real, 2> rate_{};  ///< of an axis's states, per interval
+  Real known_jitter_;           ///< variance, in intervals
   std::array<GapFrame<Real>, kStretch> stretch_{};
   typename Spindle::Rows spindle_rows_{};
   typename Feed::Rows feed_rows_{};

@@ -70,13 +70,14 @@ struct GapLimits {
   MachineForms forms{};
 };
 
-/// What of the samples is no fault; 0: nobody looks.
+/// What of the samples is no fault; 0: nobody looks, but for the jitter.
 struct SampleLimits {
   float speed_step_rad_s = 0.0F;
   float current_step_a = 0.0F;
   float feed_step_m_s = 0.0F;
   float position_step_m = 0.0F;
-  float lost_share = 0.0F;  ///< of the frames
+  float lost_share = 0.0F;      ///< of the frames
+  float clock_jitter_s = 0.0F;  ///< standard deviation that is known
 };
 
 /// Both axes, and the samples.

@@ -53,6 +53,8 @@ class SpindleObserver {
   [[nodiscard]] const Contribution<Real>& shown() const { return shown_; }
   /// Rows without columns, for who wants to know innovations only. Before the first frame.
   void leave_out_columns() { has_columns_ = false; }
+  /// Estimate of a state: before a frame is seen as the model predicts it.
+  [[nodiscard]] Real state(std::size_t index) const { return observer_.mean(index); }
   /// The next frame is a new beginning.
   void restart() { is_started_ = false; }
   [[nodiscard]] Real speed_rad_s() const { return observer_.mean(0); }

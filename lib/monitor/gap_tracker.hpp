@@ -74,7 +74,7 @@ class GapTracker {
 
   static gap::GapSettings settings_of(const MonitorConfiguration& c) {
     gap::GapSettings settings{
-        .noise = {}, .spindle = c.gap.spindle, .feed = c.gap.feed, .samples = sample_limits_of(c.sensors)};
+        .noise = {}, .spindle = c.gap.spindle, .feed = c.gap.feed, .samples = sample_limits_of(c)};
     settings.noise.speed_variance = c.sensors[Channel::kSpindleSpeed].variance();
     settings.noise.current_variance = c.sensors[Channel::kArmatureCurrent].variance();
     settings.noise.feed_speed_variance = c.sensors[Channel::kFeedSpeed].variance();

@@ -98,6 +98,8 @@ struct GapTuning {
   double speed_process_noise_rad_s = 0.01;  ///< this and the following: 1 % of the sensor's noise
   double current_process_noise_a = 5.0e-4;
   double feed_process_noise_m_s = 2.0e-5;
+  double lost_share = 5.0e-4;   ///< of its frames that a good link loses, 0 .. 1; 0: nobody looks
+  double clock_jitter_s = 0.0;  ///< standard deviation of the sampling instants, as far as it is known, >= 0
   gap::GapLimits spindle;
   gap::GapLimits feed;
 };

@@ -7,7 +7,7 @@ namespace morepro::wire {
 
 /// First byte of the payload. Another version is refused: a stored configuration is never read as something
 /// else. To be raised with every change of the lists below.
-inline constexpr std::uint8_t kConfigurationLayout = 5;
+inline constexpr std::uint8_t kConfigurationLayout = 6;
 
 template <>
 inline constexpr auto kFields<MachineParameters::Spindle> = std::tuple{
@@ -108,6 +108,8 @@ inline constexpr auto kFields<GapTuning> = std::tuple{
     &GapTuning::speed_process_noise_rad_s,
     &GapTuning::current_process_noise_a,
     &GapTuning::feed_process_noise_m_s,
+    &GapTuning::lost_share,
+    &GapTuning::clock_jitter_s,
     &GapTuning::spindle,
     &GapTuning::feed,
 };

@@ -60,12 +60,17 @@ GapStatistics AxisFit::collect_with_each(const Disturbances& candidates) const {
   return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, kBlockS, Moments::kFormByForm);
 }
 
+GapStatistics AxisFit::new_innovations() const {
+  return collect(axis_, *signals_, stretches_, model_, Disturbances{}, whitening_, kBlockS,
+                 Moments::kOfInnovations);
+}
+
 const GapStatistics& AxisFit::innovations() const {
-  if (!innovations_)
-    innovations_ = std::make_shared<const GapStatistics>(collect(
-        axis_, *signals_, stretches_, model_, Disturbances{}, whitening_, kBlockS, Moments::kOfInnovations));
+  if (!innovations_) innovations_ = std::make_shared<const GapStatistics>(new_innovations());
   return *innovations_;
 }
+
+double AxisFit::unlikeliness_as_it_is() const { return unlikeliness_of(new_innovations()); }
 
 std::optional<AxisFit::KnownSize> AxisFit::known_size_of(gap::Effect effect) const {
   auto column = static_cast<Eigen::Index>(parameter_count(axis_));

@@ -74,7 +74,7 @@ class AxisFit {
   /// Twice the negative logarithm of the likelihood of the fitted model; infinite before.
   [[nodiscard]] double unlikeliness() const { return unlikeliness_; }
   /// The same of the model as it stands, nothing fitted.
-  [[nodiscard]] double unlikeliness_as_it_is() const { return unlikeliness_of(innovations()); }
+  [[nodiscard]] double unlikeliness_as_it_is() const;
 
   /// Second moments with these disturbances as candidates, at the fitted model.
   [[nodiscard]] GapStatistics collect_with(const Disturbances& candidates) const;
@@ -119,6 +119,7 @@ class AxisFit {
 
   [[nodiscard]] Axis axis() const { return axis_; }
   [[nodiscard]] const RecordingSignals& signals() const { return *signals_; }
+  /// To be changed, before the innovations are asked for again.
   GapModel& model() {
     innovations_.reset();
     return model_;
@@ -149,6 +150,7 @@ class AxisFit {
   };
   [[nodiscard]] std::optional<KnownSize> known_size_of(gap::Effect effect) const;
   [[nodiscard]] static double relative_error_of(const KnownSize& known);
+  [[nodiscard]] GapStatistics new_innovations() const;
   [[nodiscard]] Trial tried() const;
   void look_at(std::vector<Stretch> stretches) {
     stretches_ = std::move(stretches);

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "lib/gap/board_forms.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "lib/monitor/configuration_check.hpp"
 #include "lib/monitor/sample_limits.hpp"
 #include "sim_host/diagnose/causes.hpp"
+#include "sim_host/machine/monitor_effects.hpp"
 
 namespace morepro::host {
 namespace {
@@ -117,26 +120,35 @@ gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap
   return settings;
 }
 
-gap::SampleLimits samples_for_board(const Sensors& sensors, std::span<const Effect> excluded,
-                                    std::span<const gap::AppliedEffect> known) {
-  const auto looks_for = [&](Effect effect) {
-    const auto is_it = [effect](const gap::AppliedEffect& one) { return one.form.effect == effect; };
-    return std::count(excluded.begin(), excluded.end(), effect) == 0 &&
-           std::none_of(known.begin(), known.end(), is_it);
+gap::SampleLimits samples_for_board(MachineDescription machine, const Sensors& sensors,
+                                    std::span<const Effect> excluded) {
+  const auto is_excluded = [excluded](Effect effect) {
+    return std::find(excluded.begin(), excluded.end(), effect) != excluded.end();
   };
-  gap::SampleLimits limits = sample_limits_of(sensors);
-  if (!looks_for(Effect::kSensorQuantization)) limits = {.lost_share = limits.lost_share};
-  if (!looks_for(Effect::kSampleDropout)) limits.lost_share = 0.0F;
+  const auto is_coarse = [](const gap::AppliedEffect& one) {
+    return one.form.effect == Effect::kSensorQuantization;
+  };
+  std::vector<std::string> notices;
+  know_effects(machine, notices);
+  machine.configuration.sensors = sensors;
+  gap::SampleLimits limits = sample_limits_of(machine.configuration);
+  const auto& known = machine.effects;
+  if (is_excluded(Effect::kSensorQuantization) || std::any_of(known.begin(), known.end(), is_coarse))
+    limits = {.lost_share = limits.lost_share, .clock_jitter_s = limits.clock_jitter_s};
+  if (is_excluded(Effect::kSampleDropout)) limits.lost_share = 0.0F;
   return limits;
 }
 
-GapTuning tuning_for_board(const gap::GapSettings& settings, double rate_ratio) {
+GapTuning tuning_for_board(const gap::GapSettings& settings, const GapTuning& stated, double rate_ratio) {
   const double share = std::sqrt(rate_ratio);
-  return {.speed_process_noise_rad_s = share * settings.noise.speed_step,
-          .current_process_noise_a = share * settings.noise.current_step,
-          .feed_process_noise_m_s = share * settings.noise.feed_step,
-          .spindle = settings.spindle,
-          .feed = settings.feed};
+  return {
+      .speed_process_noise_rad_s = share * settings.noise.speed_step,
+      .current_process_noise_a = share * settings.noise.current_step,
+      .feed_process_noise_m_s = share * settings.noise.feed_step,
+      .lost_share = settings.samples.lost_share > 0.0F ? stated.lost_share : 0.0,
+      .clock_jitter_s = std::max(stated.clock_jitter_s, static_cast<double>(settings.samples.clock_jitter_s)),
+      .spindle = settings.spindle,
+      .feed = settings.feed};
 }
 
 MachineForms stated_forms(const MachineForms& forms, const gap::EffectScales<double>& from,

@@ -14,6 +14,7 @@
 namespace morepro::host {
 namespace {
 
+using gap::Effect;
 using gap::GapVerdict;
 using Watch = gap::GapWatch<float>;
 
@@ -33,7 +34,7 @@ GapVerdict verdict_of(Verdict verdict) {
   return GapVerdict::kInsufficientExcitation;
 }
 
-bool holds(const std::vector<gap::Effect>& effects, gap::Effect effect) {
+bool holds(const std::vector<Effect>& effects, Effect effect) {
   return std::find(effects.begin(), effects.end(), effect) != effects.end();
 }
 
@@ -92,6 +93,14 @@ void heed(const Axis& axis, const BoardSight& sight, gap::GapLimits& limits) {
   if (needed > least) limits.evidence = std::min(limits.evidence, needed);
 }
 
+constexpr int kMostMistakes = 3;
+
+/// What looks like a clock that jitters and is none is noise to the board.
+void take_for_noise(float clock_jitter_s, gap::SampleLimits& limits) {
+  constexpr float kMargin = 1.2F;
+  limits.clock_jitter_s = std::hypot(limits.clock_jitter_s, kMargin * clock_jitter_s);
+}
+
 /// By so many of the watches that take turns. `rate_hz`: of the frames.
 gap::GapFinding found_by(std::size_t watches, const std::vector<BoardFrame>& frames, double rate_hz,
                          const MachineParameters& machine, const BoardSight& sight,
@@ -100,15 +109,24 @@ gap::GapFinding found_by(std::size_t watches, const std::vector<BoardFrame>& fra
     return std::make_unique<Watch>(machine, gap::reference_point_of(machine), 1.0 / rate_hz, settings);
   };
   const auto since = static_cast<std::size_t>(sight.since_s * rate_hz);
-  std::vector<std::unique_ptr<Watch>> parts(watches);
-  in_parallel(watches, [&](std::size_t k) {
-    parts[k] = new_watch();
-    show(frames, since + k * kShift, *parts[k]);
-    parts[k]->finish();
-  });
-  auto all = new_watch();
-  for (const auto& part : parts) all->merge(*part);
-  all->finish();
+  const auto look = [&] {
+    std::vector<std::unique_ptr<Watch>> parts(watches);
+    in_parallel(watches, [&](std::size_t k) {
+      parts[k] = new_watch();
+      show(frames, since + k * kShift, *parts[k]);
+      parts[k]->finish();
+    });
+    auto all = new_watch();
+    for (const auto& part : parts) all->merge(*part);
+    all->finish();
+    return all;
+  };
+  auto all = look();
+  for (int i = 0;
+       i < kMostMistakes && all->clock_jitter_s() > 0.0F && !holds(sight.causes, Effect::kClockJitter); ++i) {
+    take_for_noise(all->clock_jitter_s(), settings.samples);
+    all = look();
+  }
   const auto judge_again = [&] {
     auto judged = new_watch();
     judged->merge(*all);
@@ -155,13 +173,13 @@ bool is_mistaken(const gap::GapFinding& found, const BoardSight& sight) {
   if (found.verdict != GapVerdict::kEffect) return false;
   if (sight.verdict == Verdict::kUnexplained) return true;
   if (sight.verdict != Verdict::kEffect) return false;
-  const std::vector<gap::Effect> named = alias_set(found);
+  const std::vector<Effect> named = alias_set(found);
   return std::none_of(named.begin(), named.end(),
-                      [&sight](gap::Effect effect) { return holds(sight.causes, effect); });
+                      [&sight](Effect effect) { return holds(sight.causes, effect); });
 }
 
 /// The board does not look for it any more; false where there is no room to say so.
-bool take_away(gap::Effect effect, gap::GapSettings& settings) {
+bool take_away(Effect effect, gap::GapSettings& settings) {
   gap::MachineForms& forms = gap::is_of_feed(effect) ? settings.feed.forms : settings.spindle.forms;
   const gap::EffectForm none{.effect = effect, .kind = 0, .parts = 0, .shape = 0.0F};
   const auto end = forms.form.begin() + forms.count;
@@ -176,7 +194,6 @@ bool take_away(gap::Effect effect, gap::GapSettings& settings) {
 gap::GapFinding found_by_refitted(const std::vector<BoardFrame>& frames, double rate_hz,
                                   const MachineParameters& machine, const BoardSight& sight,
                                   gap::GapSettings& settings) {
-  constexpr int kMostMistakes = 3;
   gap::GapFinding found = found_on_board(frames, rate_hz, machine, sight, settings);
   if (sight.verdict == Verdict::kUnexplained && found.verdict != GapVerdict::kUnexplained) {
     settings.noise = sight.expected_noise;
@@ -210,7 +227,7 @@ gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineDes
 bool agree(const gap::GapFinding& board, const DiagnosisResult& host) {
   if (board.verdict != verdict_of(host.verdict)) return false;
   if (board.verdict != GapVerdict::kEffect) return true;
-  const std::vector<gap::Effect> named = alias_set(board);
+  const std::vector<Effect> named = alias_set(board);
   return std::any_of(host.which.begin(), host.which.end(), [&](const EffectResult& found) {
     return holds(found.alias_set, board.effect) || holds(named, found.effect);
   });

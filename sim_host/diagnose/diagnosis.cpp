@@ -274,10 +274,9 @@ class Diagnosis {
                            : all > 0.0         ? excess_of(outcome.unnamed_deviance()) / all
                                                : 0.0;
     const double temperature = outcome.chance.temperature;
-    EffectResult effect = named_effect(
-        finding, fit,
-        {temperature, outcome.threshold_of(finding), unnamed, causes_of(outcome.diagnosis.found),
-         outcome.is_strongest(finding)});
+    EffectResult effect = named_effect(finding, fit,
+                                       {temperature, outcome.threshold_of(finding), unnamed,
+                                        causes_of(outcome.diagnosis.found), outcome.is_strongest(finding)});
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
@@ -353,12 +352,12 @@ class Diagnosis {
     gap::GapSettings settings =
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
-    settings.samples = samples_for_board(expected, options_.excluded, machine_.effects);
-    result_.board = watch_on_board(signals_, machine_,
-                                   refitted(machine_.configuration.machine, outcomes_),
+    settings.samples = samples_for_board(machine_, expected, options_.excluded);
+    result_.board = watch_on_board(signals_, machine_, refitted(machine_.configuration.machine, outcomes_),
                                    sight_of(outcomes_, result_, datasheet_.noise), settings);
     result_.board_agrees = agree(result_.board, result_);
-    result_.for_board = tuning_for_board(settings, signals_.rate_hz / result_.rate_hz);
+    result_.for_board =
+        tuning_for_board(settings, machine_.configuration.gap, signals_.rate_hz / result_.rate_hz);
     for (gap::GapLimits* limits : {&result_.for_board.spindle, &result_.for_board.feed})
       limits->forms = stated_forms(limits->forms, recording_scales(), file_scales());
   }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "lib/monitor/sample_limits.hpp"
+#include "lib/monitor/monitor_configuration.hpp"
 
 namespace morepro::host {
 namespace {
@@ -230,8 +230,7 @@ std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Senso
   const LostRows repeated = leave_out_repeated_rows(signals, sensors);
   lost = {lost.count + repeated.count, std::min(lost.first, repeated.first)};
   const auto rows = static_cast<double>(std::max<std::size_t>(signals.rows, 1));
-  if (lost.count < static_cast<double>(kLeastLostShare) * rows || lost.count > 0.9 * rows)
-    return std::nullopt;
+  if (lost.count < GapTuning{}.lost_share * rows || lost.count > 0.9 * rows) return std::nullopt;
   const std::size_t onset = is_late(lost, rows) ? lost.first : 0;
   const double since = rows - static_cast<double>(onset);
   const double fraction = std::min(lost.count / since, 1.0);

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/monitor/configuration_check.hpp"
@@ -37,11 +39,24 @@ void keep_possible_forms(MachineDescription& machine, gap::MachineForms& forms,
   }
 }
 
+/// What its link is known to lose and its clock to shake by is no fault of the machine.
+void know_sampling(const std::vector<gap::AppliedEffect>& effects, GapTuning& gap) {
+  constexpr double kMore = 1.5;  // a link loses more at times
+  for (const gap::AppliedEffect& effect : effects) {
+    const double size = effect.coefficient[0];
+    if (effect.form.effect == gap::Effect::kSampleDropout)
+      gap.lost_share = std::clamp(kMore * size, gap.lost_share, 1.0);
+    if (effect.form.effect == gap::Effect::kClockJitter)
+      gap.clock_jitter_s = std::max(gap.clock_jitter_s, size);
+  }
+}
+
 }  // namespace
 
 void know_effects(MachineDescription& machine, std::vector<std::string>& notices) {
   keep_possible_forms(machine, machine.configuration.gap.spindle.forms, notices);
   keep_possible_forms(machine, machine.configuration.gap.feed.forms, notices);
+  know_sampling(machine.effects, machine.configuration.gap);
   MachineEffects& known = machine.configuration.effects;
   if (known.count > 0) return;
   for (const gap::AppliedEffect& effect : machine.effects) {

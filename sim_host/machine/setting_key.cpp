@@ -82,6 +82,9 @@ constexpr std::array kSettingKeys{
                                                        "per sample; 1 % of the sensor's noise at 10 kHz"),
     setting<kGap, &GapTuning::feed_process_noise_m_s>("gap", "feed_process_noise_m_s", "feed",
                                                       "per sample; 1 % of the sensor's noise at 10 kHz"),
+    between(setting<kGap, &GapTuning::lost_share>("gap", "lost_share", "", "of its frames a good link loses"),
+            0.0, true, 1.0),
+    setting<kGap, &GapTuning::clock_jitter_s>("gap", "clock_jitter_s", "", "as far as it is known"),
     positive(setting<kGap, kSpindle, &gap::GapLimits::evidence>("gap", "spindle_evidence", "spindle")),
     at_least_1(
         setting<kGap, kSpindle, &gap::GapLimits::temperature>("gap", "spindle_temperature", "spindle")),

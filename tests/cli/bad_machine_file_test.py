@@ -51,6 +51,8 @@ noise = 0.05
 speed_process_noise_rad_s = 0.01
 current_process_noise_a = 5e-4
 feed_process_noise_m_s = 2e-5
+lost_share = 1e-3
+clock_jitter_s = 1e-6
 spindle_evidence = 25
 spindle_temperature = 1
 spindle_excitation = 5
@@ -75,7 +77,7 @@ low_ratio = 0.8
 hold_s = 0.1
 datasheet_tolerance = 0.05
 """
-GAP_NOISE = ["speed_process_noise_rad_s", "current_process_noise_a", "feed_process_noise_m_s"]
+GAP_NOISE = ["speed_process_noise_rad_s", "current_process_noise_a", "feed_process_noise_m_s", "lost_share", "clock_jitter_s"]
 GAP_POSITIVE = ["spindle_evidence", "spindle_excitation", "spindle_noise_ratio", "feed_evidence", "feed_excitation",
                 "feed_noise_ratio"]
 GAP_TEMPERATURES = ["spindle_temperature", "feed_temperature"]

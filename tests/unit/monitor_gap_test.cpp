@@ -116,6 +116,35 @@ TEST(MonitorGap, NamesCoarseSteps) {
   EXPECT_EQ(health.gap.effect, Effect::kSensorQuantization);
 }
 
+std::unique_ptr<BoardMonitor> monitor_that_knows(const std::function<void(GapTuning&)>& know) {
+  MonitorConfiguration configuration = test::gap_configuration();
+  know(configuration.gap);
+  auto monitor = std::make_unique<BoardMonitor>();
+  EXPECT_TRUE(monitor->configure(configuration).ok());
+  return monitor;
+}
+
+const GapRun kJittering{.effects = {test::gap_effect(Effect::kClockJitter, 3.0e-5)}, .duration_s = 20.0};
+
+TEST(MonitorGap, NamesAClockThatJitters) {
+  const Health health = after(kJittering);
+  EXPECT_EQ(health.gap.verdict, GapVerdict::kEffect);
+  EXPECT_EQ(health.gap.effect, Effect::kClockJitter);
+  EXPECT_EQ(health.gap.where, gap::EffectGroup::kSampling);
+}
+
+TEST(MonitorGap, AKnownJitterIsNoise) {
+  const auto monitor = monitor_that_knows([](GapTuning& gap) { gap.clock_jitter_s = 3.0e-5; });
+  EXPECT_EQ(show(*monitor, kJittering).gap.verdict, GapVerdict::kNoGap);
+}
+
+TEST(MonitorGap, AKnownShareOfLostFramesIsNoEffect) {
+  const GapRun losing{.effects = {test::gap_effect(Effect::kSampleDropout, 0.02)}, .duration_s = 10.0};
+  EXPECT_EQ(after(losing).gap.effect, Effect::kSampleDropout);
+  const auto monitor = monitor_that_knows([](GapTuning& gap) { gap.lost_share = 0.03; });
+  EXPECT_NE(show(*monitor, losing).gap.verdict, GapVerdict::kEffect);
+}
+
 /// A sensor that fails again and again, for 20 ms out of each 120 ms, so that many stretches of the watch see
 /// the beginning of a fault that is not known yet.
 void expect_no_effect_of(Channel sensor, const std::function<void(SensorFrame&)>& fail) {
@@ -244,6 +273,9 @@ TEST(MonitorGap, RefusesImpossibleSettings) {
             "gap.speed_process_noise_rad_s");
   EXPECT_EQ(refusal([](GapTuning& g) { g.current_process_noise_a = -1.0; }), "gap.current_process_noise_a");
   EXPECT_EQ(refusal([](GapTuning& g) { g.feed_process_noise_m_s = -1.0; }), "gap.feed_process_noise_m_s");
+  EXPECT_EQ(refusal([](GapTuning& g) { g.lost_share = -0.1; }), "gap.lost_share");
+  EXPECT_EQ(refusal([](GapTuning& g) { g.lost_share = 1.1; }), "gap.lost_share");
+  EXPECT_EQ(refusal([](GapTuning& g) { g.clock_jitter_s = -1.0e-6; }), "gap.clock_jitter_s");
   EXPECT_EQ(refusal([](GapTuning& g) { g.spindle.evidence = 0.0; }), "gap.spindle_evidence");
   EXPECT_EQ(refusal([](GapTuning& g) { g.spindle.temperature = 0.5; }), "gap.spindle_temperature");
   EXPECT_EQ(refusal([](GapTuning& g) { g.spindle.excitation = 0.0; }), "gap.spindle_excitation");
