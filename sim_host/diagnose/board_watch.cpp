@@ -207,11 +207,14 @@ gap::GapFinding found_by_refitted(const std::vector<BoardFrame>& frames, double 
 }  // namespace
 
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineDescription& machine,
-                               const MachineParameters& refitted, const BoardSight& sight,
+                               const FittedValues& fitted, const BoardSight& sight,
                                gap::GapSettings& settings) {
   const MachineParameters& datasheet = machine.configuration.machine;
-  const std::vector<BoardFrame> frames = board_frames(signals, machine, refitted);
-  const gap::GapFinding found = found_by_refitted(frames, signals.rate_hz, refitted, sight, settings);
+  const std::vector<BoardFrame> frames = board_frames(signals, machine, fitted.without_effects);
+  gap::GapFinding found = found_by_refitted(frames, signals.rate_hz, fitted.without_effects, sight, settings);
+  // An effect of a hundred times the noise bends the values so far that its column does not reach back.
+  if (sight.verdict == Verdict::kEffect && found.verdict == GapVerdict::kUnexplained)
+    found = found_by_refitted(frames, signals.rate_hz, fitted.beside_effects, sight, settings);
   if (found.verdict != GapVerdict::kNoGap && found.verdict != GapVerdict::kParameterError) return found;
   // Beside wrong values everything looks like something.
   BoardSight of_values = sight;

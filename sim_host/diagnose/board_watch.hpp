@@ -20,14 +20,21 @@ struct BoardSight {
   bool is_feed_quiet = false;     ///< is what noise makes of this machine, and is below its threshold then
 };
 
+/// The values that fit best without any effect, and beside those that were found.
+struct FittedValues {
+  MachineParameters without_effects;
+  MachineParameters beside_effects;
+};
+
 /// What the board's own watch, in float, says about a recording of this machine with these settings. It looks
 /// at 27 ms out of every 1.13 s (at 10 kHz), which is little of a short recording: so the statistics of
 /// watches that begin a stretch as soon as they may are merged, as of a board that has seen the machine for
-/// so long that it has seen all of this. It is given the values that fit best without any effect, `refitted`;
-/// where it finds nothing beside them, those of the machine file: what it finds then is that they are wrong.
-/// What noise of this machine has it take for an effect is taken away from it in `settings`.
+/// so long that it has seen all of this. It is given the values that fit best without any effect, those
+/// beside the effects where these are so large that nothing explains them from there; where it finds nothing,
+/// those of the machine file: what it finds then is that they are wrong. What noise of this machine has it
+/// take for an effect is taken away from it in `settings`.
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineDescription& machine,
-                               const MachineParameters& refitted, const BoardSight& sight,
+                               const FittedValues& fitted, const BoardSight& sight,
                                gap::GapSettings& settings);
 
 /// The same verdict; and where that names an effect, one side's first name is among the other side's aliases.

@@ -353,8 +353,9 @@ class Diagnosis {
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
     settings.samples = samples_for_board(machine_, expected, options_.excluded);
-    result_.board = watch_on_board(signals_, machine_, refitted(machine_.configuration.machine, outcomes_),
-                                   sight_of(outcomes_, result_, datasheet_.noise), settings);
+    result_.board =
+        watch_on_board(signals_, machine_, fitted_values(machine_.configuration.machine, outcomes_),
+                       sight_of(outcomes_, result_, datasheet_.noise), settings);
     result_.board_agrees = agree(result_.board, result_);
     result_.for_board =
         tuning_for_board(settings, machine_.configuration.gap, signals_.rate_hz / result_.rate_hz);

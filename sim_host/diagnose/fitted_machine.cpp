@@ -34,9 +34,13 @@ void take_heat(const WindingHeat& heat, MachineParameters::Spindle& spindle) {
 
 }  // namespace
 
-MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcome> outcomes) {
-  for (const AxisOutcome& outcome : outcomes) take_values(outcome.diagnosis.nominal, machine);
-  return machine;
+FittedValues fitted_values(const MachineParameters& datasheet, std::span<const AxisOutcome> outcomes) {
+  FittedValues fitted{datasheet, datasheet};
+  for (const AxisOutcome& outcome : outcomes) {
+    take_values(outcome.diagnosis.nominal, fitted.without_effects);
+    take_values(outcome.diagnosis.fit, fitted.beside_effects);
+  }
+  return fitted;
 }
 
 MachineDescription machine_with_effects(MachineDescription machine, std::span<const AxisOutcome> outcomes,

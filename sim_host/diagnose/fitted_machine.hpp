@@ -3,6 +3,7 @@
 
 #include "lib/gap/effect_scales.hpp"
 #include "sim_host/diagnose/axis_outcome.hpp"
+#include "sim_host/diagnose/board_watch.hpp"
 #include "sim_host/diagnose/sampling_checks.hpp"
 #include "sim_host/machine/machine_description.hpp"
 
@@ -14,8 +15,7 @@ struct ScalesOfEffects {
   gap::EffectScales<double> stated;
 };
 
-/// The machine with the values that fit best without any effect.
-MachineParameters refitted(MachineParameters machine, std::span<const AxisOutcome> outcomes);
+FittedValues fitted_values(const MachineParameters& datasheet, std::span<const AxisOutcome> outcomes);
 
 /// The machine with the values that fit best beside the effects that were found, and with these and the
 /// faults of its samples, as it is after the recording: what set in stays. A coarse step becomes its

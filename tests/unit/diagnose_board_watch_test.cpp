@@ -11,7 +11,8 @@ namespace {
 gap::GapFinding watched(const RecordingSignals& signals, const host::BoardSight& sight,
                         gap::GapSettings& settings) {
   const MachineDescription machine = datasheet(0.0);
-  return host::watch_on_board(signals, machine, machine.configuration.machine, sight, settings);
+  const MachineParameters& right = machine.configuration.machine;
+  return host::watch_on_board(signals, machine, {right, right}, sight, settings);
 }
 
 gap::GapSettings settings_with_noise(double share) {
@@ -58,7 +59,7 @@ TEST(BoardWatch, TakesARightMachineForRight) {
     gap::GapSettings settings = settings_with_noise(0.01);
     const host::BoardSight sight{
         .verdict = verdict, .is_excited = true, .is_spindle_quiet = true, .is_feed_quiet = true};
-    return host::watch_on_board(signals, sheet, refitted, sight, settings).verdict;
+    return host::watch_on_board(signals, sheet, {refitted, refitted}, sight, settings).verdict;
   };
   EXPECT_EQ(seen_by_host(host::Verdict::kParameterError), gap::GapVerdict::kParameterError);
   EXPECT_EQ(seen_by_host(host::Verdict::kNoGap), gap::GapVerdict::kNoGap);
