@@ -15,7 +15,7 @@ extern "C" {
 #if UINTPTR_MAX > 0xFFFFFFFFU
 #define MOREPRO_MONITOR_BYTES 45312
 #else
-#define MOREPRO_MONITOR_BYTES 44032
+#define MOREPRO_MONITOR_BYTES 44288
 #endif
 
 /// The memory of one monitor, which its user owns: static, on a stack that is large enough, or a member. It

@@ -223,17 +223,22 @@ class GapWatch {
   /// `sensor`: of either axis in its observer's order. A jitter that is known is a part of the noise.
   template <class Row>
   void see_jitter(std::size_t index, std::size_t sensor, Row& row) {
+    if (index == kSettling) jitter_.interrupt();
+    if (index >= kSettling && row.is_measured)
+      row.variance = see_jitter(sensor, row.innovation, row.variance);
+  }
+  /// Returns the variance with what is known of it.
+  [[gnu::noinline, gnu::cold]] Real see_jitter(std::size_t sensor, Real innovation, Real variance) {
     constexpr Real kDeviations = 6;
     constexpr std::size_t kPosition = 2;
-    if (index == kSettling) jitter_.interrupt();
-    if (index < kSettling || !row.is_measured) return;
     const Real rate = rate_[sensor % 2];
-    row.variance += known_jitter_ * rate * rate;
-    const Real most = kDeviations * math::sqrt(row.variance);
-    jitter_.see(sensor, {.innovation = row.innovation,
-                         .variance = row.variance,
+    variance += known_jitter_ * rate * rate;
+    const Real most = kDeviations * math::sqrt(variance);
+    jitter_.see(sensor, {.innovation = innovation,
+                         .variance = variance,
                          .rate = rate,
                          .most = sensor == kPosition ? std::max(most, math::abs(rate)) : most});
+    return variance;
   }
 
   static Real square(Real x) { return x * x; }

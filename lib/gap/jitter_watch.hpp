@@ -32,7 +32,8 @@ class JitterWatch {
     for (Sums& sums : sensor_) sums.product_before = sums.growth_before = Real(0);
   }
 
-  void see(std::size_t sensor, const Sample& sample) {
+  /// Small instead of fast: a stretch in a second is looked into.
+  [[gnu::noinline, gnu::cold]] void see(std::size_t sensor, const Sample& sample) {
     Sums& sums = sensor_[sensor];
     const Real per_variance = Real(1) / sample.variance;
     const Real growth = sample.rate * sample.rate * per_variance;
@@ -102,17 +103,17 @@ class JitterWatch {
       shared += other.shared;
       sharable += other.sharable;
     }
-    void fade() {
+    [[gnu::noinline, gnu::cold]] void fade() {
       for (Real* sum : {&count, &growth, &square, &growth_square, &growth_of_square, &shared, &sharable})
         *sum *= Real(0.5);
     }
     /// Sum of squares of what the growth differs from its mean by.
     [[nodiscard]] Real spread() const { return growth_square - growth * growth / count; }
-    [[nodiscard]] Real slope() const {
+    [[nodiscard]] [[gnu::noinline, gnu::cold]] Real slope() const {
       return precision() > Real(0) ? (growth_of_square - growth * square / count) / spread() : Real(0);
     }
     /// Of the slope; a square varies by twice the square of its mean. 0: the sensor tells nothing.
-    [[nodiscard]] Real precision() const {
+    [[nodiscard]] [[gnu::noinline, gnu::cold]] Real precision() const {
       constexpr Real kLeastSpread = Real(1.0e-4);  // of the squares: beyond what sums of floats tell
       if (!(count >= kFewestRows) || !(square > Real(0))) return Real(0);
       const bool is_told = spread() > kLeastSpread * growth_square;

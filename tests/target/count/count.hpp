@@ -40,7 +40,7 @@ void keep(const T& value) {
 }
 
 namespace in_turn {
-alignas(8) inline constinit std::array<std::byte, 61 * 1024> memory{};
+alignas(8) inline constinit std::array<std::byte, 62 * 1024> memory{};
 inline constinit const void* holder = nullptr;
 }  // namespace in_turn
 
