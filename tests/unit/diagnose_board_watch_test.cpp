@@ -34,6 +34,32 @@ TEST(BoardWatch, DoesNotLookForWhatTheHostKnowsNotToBeThere) {
   EXPECT_NE(found.effect, Effect::kFeedForceOffset);
 }
 
+TEST(BoardWatch, TakesAJitterThatTheHostDoesNotSeeForNoise) {
+  const RecordingSignals signals = record({.effects = {effect(Effect::kClockJitter, 4.0e-5)}});
+  gap::GapSettings settings = settings_with_noise(0.01);
+  const host::BoardSight seeing{.verdict = host::Verdict::kEffect, .causes = {Effect::kClockJitter}};
+  EXPECT_EQ(watched(signals, seeing, settings).effect, Effect::kClockJitter);
+  EXPECT_EQ(settings.samples.clock_jitter_s, 0.0F);
+  EXPECT_NE(watched(signals, {}, settings).verdict, gap::GapVerdict::kEffect);
+  EXPECT_GT(settings.samples.clock_jitter_s, 4.0e-5F);
+}
+
+/// Values that an effect has bent too far do not show it any more.
+TEST(BoardWatch, LooksBesideTheEffectWhereItHasBentTheValues) {
+  const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 3.0)}});
+  const MachineDescription machine = datasheet(0.0);
+  const MachineParameters& right = machine.configuration.machine;
+  MachineParameters bent = right;
+  bent.feed.mass_kg *= 0.1;
+  const host::BoardSight sight{.verdict = host::Verdict::kEffect, .causes = {Effect::kFeedForceOffset}};
+  const auto found = [&](const host::FittedValues& fitted) {
+    gap::GapSettings settings = settings_with_noise(0.01);
+    return host::watch_on_board(signals, machine, fitted, sight, settings);
+  };
+  EXPECT_EQ(found({bent, bent}).verdict, gap::GapVerdict::kUnexplained);
+  EXPECT_EQ(found({bent, right}).effect, Effect::kFeedForceOffset);
+}
+
 /// What noise may be worth is an estimate, and the host sees more.
 TEST(BoardWatch, HearsOfACauseThatTheHostIsSureOf) {
   const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 0.1)}});
