@@ -125,8 +125,10 @@ class JitterWatch {
   /// Of the sensors that tell much of it: does the one whose neighbours share least deny a wrong law, is it
   /// in all of them, and does it matter where it shakes most?
   [[nodiscard]] bool is_by_the_clock(const Jitter& jitter, Real weight) const {
-    constexpr Real kMuch = Real(0.2);  // of what all sensors tell
+    constexpr Real kMuch = Real(0.1);  // of what all sensors tell
     constexpr Real kMostShared = Real(0.45);
+    // The observer takes part of a jitter for a change of the state, which comes back with the other sign.
+    constexpr Real kLeastShared = Real(-0.8);
     constexpr Real kLeastSlope = Real(0.3);
     constexpr Real kMatters = Real(0.25);  // of the expected variance
     Real shared = Real(1);
@@ -134,11 +136,11 @@ class JitterWatch {
     for (const Sums& sums : sensor_) {
       if (!(sums.precision() >= kMuch * weight)) continue;
       if (!(sums.slope() > kLeastSlope * jitter.variance)) return false;
-      const Real own = math::abs(sums.shared / (jitter.variance * sums.sharable));
-      shared = std::min(shared, own);
+      const Real own = sums.shared / (jitter.variance * sums.sharable);
+      if (math::abs(own) < math::abs(shared)) shared = own;
       matters |= jitter.variance * sums.growth_square > kMatters * sums.growth;
     }
-    return matters && shared < kMostShared;
+    return matters && shared < kMostShared && shared > kLeastShared;
   }
 
   std::array<Sums, kSensors> sensor_{};

@@ -119,7 +119,7 @@ class Verdicts(Diagnose):
         self.assertAlmostEqual(found["sample_dropout"]["magnitude"], 0.05, delta=0.01)
 
     def test_faults_of_the_samples_are_known_to_the_machine_that_is_written(self):
-        for effect in "sensor_quantization=4", "sample_dropout=0.02", "clock_jitter=3e-5":
+        for effect in "sensor_quantization=4", "sample_dropout=0.02", "clock_jitter=2e-5":
             self.simulate("--effect", effect)
             found = self.diagnose("--apply", "known.toml")
             self.assertEqual(self.names(found), [effect.split("=")[0]])

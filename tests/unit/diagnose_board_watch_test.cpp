@@ -35,13 +35,13 @@ TEST(BoardWatch, DoesNotLookForWhatTheHostKnowsNotToBeThere) {
 }
 
 TEST(BoardWatch, TakesAJitterThatTheHostDoesNotSeeForNoise) {
-  const RecordingSignals signals = record({.effects = {effect(Effect::kClockJitter, 4.0e-5)}});
+  const RecordingSignals signals = record({.effects = {effect(Effect::kClockJitter, 2.0e-5)}});
   gap::GapSettings settings = settings_with_noise(0.01);
   const host::BoardSight seeing{.verdict = host::Verdict::kEffect, .causes = {Effect::kClockJitter}};
   EXPECT_EQ(watched(signals, seeing, settings).effect, Effect::kClockJitter);
   EXPECT_EQ(settings.samples.clock_jitter_s, 0.0F);
   EXPECT_NE(watched(signals, {}, settings).verdict, gap::GapVerdict::kEffect);
-  EXPECT_GT(settings.samples.clock_jitter_s, 4.0e-5F);
+  EXPECT_GT(settings.samples.clock_jitter_s, 2.0e-5F);
 }
 
 /// Values that an effect has bent too far do not show it any more.

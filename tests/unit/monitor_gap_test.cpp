@@ -124,7 +124,7 @@ std::unique_ptr<BoardMonitor> monitor_that_knows(const std::function<void(GapTun
   return monitor;
 }
 
-const GapRun kJittering{.effects = {test::gap_effect(Effect::kClockJitter, 3.0e-5)}, .duration_s = 20.0};
+const GapRun kJittering{.effects = {test::gap_effect(Effect::kClockJitter, 2.0e-5)}, .duration_s = 20.0};
 
 TEST(MonitorGap, NamesAClockThatJitters) {
   const Health health = after(kJittering);
@@ -134,7 +134,7 @@ TEST(MonitorGap, NamesAClockThatJitters) {
 }
 
 TEST(MonitorGap, AKnownJitterIsNoise) {
-  const auto monitor = monitor_that_knows([](GapTuning& gap) { gap.clock_jitter_s = 3.0e-5; });
+  const auto monitor = monitor_that_knows([](GapTuning& gap) { gap.clock_jitter_s = 2.0e-5; });
   EXPECT_EQ(show(*monitor, kJittering).gap.verdict, GapVerdict::kNoGap);
 }
 
