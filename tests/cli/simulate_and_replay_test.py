@@ -93,6 +93,16 @@ class SimulateAndReplay(ProgramTest):
             self.assertTrue(entry["identifiable"], entry["name"])
             self.assertAlmostEqual(entry["refit"] / entry["datasheet"], 1.0, delta=0.01, msg=entry["name"])
 
+    def test_a_clock_that_is_known_to_jitter_and_a_link_that_loses_are_no_gap(self):
+        machine = self.must_do("config").stdout
+        for effect, size, duration in ("clock_jitter", 2e-5, 20), ("sample_dropout", 0.02, 8):
+            with self.subTest(effect):
+                self.must_do("simulate", "--profile", "rich", "--duration", duration, "--seed", "5",
+                             "--effect", f"{effect}={size}", "--out", "run.csv")
+                self.assertEqual(self.replay("run.csv")["gap"]["effect"], effect)
+                self.write("known.toml", f'{machine}[[effects]]\nname = "{effect}"\nsize = {size}\n')
+                self.assertNotEqual(self.replay("run.csv", "--machine", "known.toml")["gap"]["verdict"], "effect")
+
     def test_a_native_recording_keeps_the_effects_of_its_machine(self):
         self.simulate_with("feed_force_offset=2")
         self.must_do("diagnose", "run.csv", "--bootstrap", 20, "--apply", "found.toml")

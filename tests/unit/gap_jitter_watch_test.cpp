@@ -65,7 +65,7 @@ TEST(JitterWatch, AWrongLawIsNone) {
 TEST(JitterWatch, WhatIsKnownIsNone) { EXPECT_EQ(after({.error = jittering, .known = 0.2}).evidence, 0.0F); }
 
 TEST(JitterWatch, WhatIsMuchLessThanTheNoiseDoesNotMatter) {
-  const auto little = [](double rate, double late) { return 0.04 * rate * late; };
+  const auto little = [](double rate, double late) { return 0.08 * rate * late; };
   EXPECT_EQ(after({.error = little, .rows = 60000}).evidence, 0.0F);
 }
 
@@ -77,7 +77,15 @@ TEST(JitterWatch, AllSensorsShareOneClock) {
 }
 
 TEST(JitterWatch, TooFewRowsTellNothing) {
-  EXPECT_EQ(after({.error = jittering, .rows = 399}).evidence, 0.0F);
+  const auto strongly = [](double rate, double late) { return 0.4 * rate * late; };
+  const auto evidence_of_three = [&strongly](int rows) {
+    Watch watch;
+    for (std::size_t sensor = 0; sensor < 3; ++sensor)
+      show({.error = strongly, .sensor = sensor, .rows = rows}, watch, static_cast<unsigned>(sensor));
+    return watch.jitter().evidence;
+  };
+  EXPECT_EQ(evidence_of_three(399), 0.0F);
+  EXPECT_GT(evidence_of_three(400), 0.0F);
 }
 
 TEST(JitterWatch, MergesWhatOthersHaveSeen) {
@@ -94,7 +102,8 @@ TEST(JitterWatch, ForgetsSlowly) {
   Watch watch;
   show({.rows = 150000}, watch);
   show({.error = jittering, .rows = 60000}, watch);
-  EXPECT_GT(watch.jitter().evidence, 100.0F);
+  // Of all 210,000 rows it would be 0.29 of the jitter's variance.
+  EXPECT_GT(watch.jitter().variance, 0.5F * 0.2F * 0.2F);
 }
 
 TEST(JitterWatch, LeavesOutWhatIsNoNumber) {
