@@ -204,6 +204,16 @@ gap::GapFinding found_by_refitted(const std::vector<BoardFrame>& frames, double 
   return found;
 }
 
+/// Takes what is found there if it is an effect.
+void look_beside_effects(const std::vector<BoardFrame>& frames, double rate_hz, const FittedValues& fitted,
+                         const BoardSight& sight, gap::GapSettings& settings, gap::GapFinding& found) {
+  gap::GapSettings other = settings;
+  const gap::GapFinding beside = found_by_refitted(frames, rate_hz, fitted.beside_effects, sight, other);
+  if (beside.verdict != GapVerdict::kEffect) return;
+  found = beside;
+  settings = other;
+}
+
 }  // namespace
 
 gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineDescription& machine,
@@ -212,9 +222,10 @@ gap::GapFinding watch_on_board(const RecordingSignals& signals, const MachineDes
   const MachineParameters& datasheet = machine.configuration.machine;
   const std::vector<BoardFrame> frames = board_frames(signals, machine, fitted.without_effects);
   gap::GapFinding found = found_by_refitted(frames, signals.rate_hz, fitted.without_effects, sight, settings);
-  // An effect of a hundred times the noise bends the values so far that its column does not reach back.
-  if (sight.verdict == Verdict::kEffect && found.verdict == GapVerdict::kUnexplained)
-    found = found_by_refitted(frames, signals.rate_hz, fitted.beside_effects, sight, settings);
+  // A large effect bends the values so far that its column does not reach back, and one that sets in late is
+  // between two sets of values.
+  if (sight.verdict == Verdict::kEffect && found.verdict != GapVerdict::kEffect)
+    look_beside_effects(frames, signals.rate_hz, fitted, sight, settings, found);
   if (found.verdict != GapVerdict::kNoGap && found.verdict != GapVerdict::kParameterError) return found;
   // Beside wrong values everything looks like something.
   BoardSight of_values = sight;
