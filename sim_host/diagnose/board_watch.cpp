@@ -66,18 +66,27 @@ void allow(float excitation, gap::GapLimits& limits) {
 
 /// Lifts what an effect needs above what the best form of an axis without one takes, and the noise to what is
 /// left; of a machine that is right, above what better values than its datasheet's take, too. Noise that
-/// lasts gives each row its share of evidence, and a watch that goes on has up to `kMostRows`.
+/// lasts gives each row its share of evidence, and a watch that goes on has up to `kMostRows`. Was there
+/// anything?
 template <class Axis>
-void calm(const Axis& axis, bool is_right, gap::GapLimits& limits) {
+bool calm(const Axis& axis, bool is_right, gap::GapLimits& limits) {
   constexpr double kMargin = 1.25;
   const auto& evaluation = axis.evaluation();
   const GapVerdict verdict = evaluation.finding().verdict;
   const bool is_wrong = verdict == GapVerdict::kParameterError && is_right;
-  if (verdict != GapVerdict::kEffect && verdict != GapVerdict::kUnexplained && !is_wrong) return;
+  if (verdict != GapVerdict::kEffect && verdict != GapVerdict::kUnexplained && !is_wrong) return false;
   const auto evidence = static_cast<double>(evaluation.finding().evidence);
   const double growth = static_cast<double>(Axis::kMostRows) / static_cast<double>(axis.statistics().rows());
   if (evidence > limits.evidence) limits.evidence = kMargin * evidence * std::max(1.0, growth);
   limits.noise_ratio = std::max(limits.noise_ratio, static_cast<double>(evaluation.residual_ratio()));
+  return true;
+}
+
+bool calm(const Watch& watch, const BoardSight& sight, gap::GapSettings& settings) {
+  const bool is_right = sight.verdict == Verdict::kNoGap;
+  const bool of_spindle = sight.is_spindle_quiet && calm(watch.spindle(), is_right, settings.spindle);
+  const bool of_feed = sight.is_feed_quiet && calm(watch.feed(), is_right, settings.feed);
+  return of_spindle || of_feed;
 }
 
 /// Lowers what an effect needs of an axis to what a cause has that the host, which sees more, is sure of:
@@ -137,10 +146,8 @@ gap::GapFinding found_by(std::size_t watches, const std::vector<BoardFrame>& fra
   allow(all->spindle().evaluation().excitation(), settings.spindle);
   allow(all->feed().evaluation().excitation(), settings.feed);
   judge_again();
-  const bool is_right = sight.verdict == Verdict::kNoGap;
-  if (sight.is_spindle_quiet) calm(all->spindle(), is_right, settings.spindle);
-  if (sight.is_feed_quiet) calm(all->feed(), is_right, settings.feed);
-  judge_again();
+  // What looked like an effect may look like other values without it.
+  for (int i = 0; i < kMostMistakes && calm(*all, sight, settings); ++i) judge_again();
   if (sight.verdict != Verdict::kEffect || all->finding().verdict == GapVerdict::kEffect)
     return all->finding();
   heed(all->spindle(), sight, settings.spindle);
