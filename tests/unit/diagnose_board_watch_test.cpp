@@ -57,6 +57,7 @@ TEST(BoardWatch, LooksBesideTheEffectWhereItHasBentTheValues) {
     return host::watch_on_board(signals, machine, fitted, sight, settings);
   };
   EXPECT_EQ(found({bent, bent}).verdict, gap::GapVerdict::kUnexplained);
+  EXPECT_EQ(found({bent, right}).verdict, gap::GapVerdict::kEffect);
   EXPECT_EQ(found({bent, right}).effect, Effect::kFeedForceOffset);
 }
 
