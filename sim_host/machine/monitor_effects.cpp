@@ -44,8 +44,8 @@ void know_sampling(const std::vector<gap::AppliedEffect>& effects, GapTuning& ga
   constexpr double kMore = 1.5;  // a link loses more at times
   for (const gap::AppliedEffect& effect : effects) {
     const double size = effect.coefficient[0];
-    if (effect.form.effect == gap::Effect::kSampleDropout)
-      gap.lost_share = std::clamp(kMore * size, gap.lost_share, 1.0);
+    if (effect.form.effect == gap::Effect::kSampleDropout && gap.lost_share > 0.0)
+      gap.lost_share = std::max(gap.lost_share, std::min(kMore * size, 1.0));
     if (effect.form.effect == gap::Effect::kClockJitter)
       gap.clock_jitter_s = std::max(gap.clock_jitter_s, size);
   }
