@@ -270,22 +270,13 @@ class GapWatch {
                              ? b.finding().verdict > a.finding().verdict
                              : b.surplus() > a.surplus();
     finding_ = is_feed ? b.finding() : a.finding();
-    const GapFinding sampled = samples_.finding();
-    const bool is_lesser = finding_.verdict < sampled.verdict || finding_.evidence < sampled.evidence;
-    if (sampled.verdict == GapVerdict::kEffect && is_lesser) finding_ = sampled;
-    find_jitter();
+    consider(samples_.finding());
+    consider(jitter_.finding());
   }
 
-  void find_jitter() {
-    constexpr float kConfidence = 0.97F;
-    const auto evidence = static_cast<float>(jitter_.jitter().evidence);
-    const bool is_lesser = finding_.verdict == GapVerdict::kEffect && finding_.evidence > evidence;
-    if (!(evidence > 0.0F) || is_lesser) return;
-    finding_ = {.verdict = GapVerdict::kEffect,
-                .where = group_of(Effect::kClockJitter),
-                .effect = Effect::kClockJitter,
-                .confidence = kConfidence,
-                .evidence = evidence};
+  [[gnu::noinline, gnu::cold]] void consider(const GapFinding& fault) {
+    const bool is_lesser = finding_.verdict < fault.verdict || finding_.evidence < fault.evidence;
+    if (fault.verdict == GapVerdict::kEffect && is_lesser) finding_ = fault;
   }
 
   SpindleAxis spindle_;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lib/gap/board_forms.hpp"
 #include "lib/gap/gap_watch_finding.hpp"
 #include "lib/math/elementary.hpp"
 
@@ -77,7 +78,20 @@ class JitterWatch {
     return jitter.evidence > kLeastEvidence && is_by_the_clock(jitter, weight) ? jitter : Jitter{};
   }
 
+  /// kEffect, or kNotEnoughData where there is none.
+  [[nodiscard]] [[gnu::noinline, gnu::cold]] GapFinding finding() const {
+    GapFinding found;
+    found.evidence = static_cast<float>(jitter().evidence);
+    if (!(found.evidence > 0.0F)) return found;
+    found.verdict = GapVerdict::kEffect;
+    found.effect = Effect::kClockJitter;
+    found.where = group_of(found.effect);
+    found.confidence = kConfidence;
+    return found;
+  }
+
  private:
+  static constexpr float kConfidence = 0.97F;
   static constexpr Real kLargest = Real(1.0e9);
   static constexpr Real kMostRows = Real(65536);
   static constexpr Real kFewestRows = Real(400);

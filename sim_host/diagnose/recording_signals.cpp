@@ -236,7 +236,8 @@ FrameSource::FrameSource(const RecordingSignals& signals, const MachineParameter
   if (first < signals.cutting_time_s.size()) cutting_time_s_ = signals.cutting_time_s[first];
 }
 
-bool FrameSource::sampled(const float* column, double& value) const {
+bool FrameSource::sampled(Channel channel, double& value) const {
+  const float* const column = column_[index_of(channel)];
   if (column == nullptr || std::isnan(column[row_])) return false;
   value = static_cast<double>(column[row_]);
   return true;

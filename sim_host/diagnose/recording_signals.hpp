@@ -131,8 +131,7 @@ class FrameSource {
   [[nodiscard]] bool has_lost_track() const { return missing_ > kLongestBridge; }
 
  private:
-  bool sampled(const float* column, double& value) const;
-  bool sampled(Channel channel, double& value) const { return sampled(column_[index_of(channel)], value); }
+  bool sampled(Channel channel, double& value) const;
 
   const RecordingSignals& signals_;
   std::array<const float*, kChannelCount>
