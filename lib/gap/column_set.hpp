@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "lib/gap/applied_effect.hpp"
 #include "lib/gap/dry_friction.hpp"
@@ -17,6 +18,8 @@ constexpr bool is_in_sensor(Effect effect) {
 template <class Real, std::size_t kMostTerms, std::size_t kMostApplied, std::size_t kDelaySteps>
 class ColumnSet {
   static constexpr bool kHasOnsets = kMostApplied > 0;
+  static constexpr bool kTriesMany = kMayShare<Real> && kMostTerms > 64;
+  static constexpr std::size_t kMany = 12;
 
  public:
   ColumnSet(const EffectScales<Real>& scales, double step_s) : scales_(scales), step_s_(step_s) {}
@@ -24,8 +27,11 @@ class ColumnSet {
   /// All parts of a form; false where there is no room. A board looks for what is there from the start.
   bool add(const EffectForm& form) {
     if (terms_ + form.parts > kMostTerms) return false;
-    for (int part = 0; part < form.parts; ++part)
+    for (int part = 0; part < form.parts; ++part) {
+      term_is_sensor_[terms_] = is_in_sensor(form.effect);
+      if constexpr (kTriesMany) together_.count(form.effect);
       term_[terms_++] = EffectTerm<Real, kDelaySteps>(form, part, step_s_);
+    }
     return true;
   }
   /// The same for one that sets in at `onset_s`.
@@ -33,6 +39,7 @@ class ColumnSet {
     const std::size_t first = terms_;
     if (!add(form)) return false;
     for (std::size_t j = first; j < terms_; ++j) onset_[j].time_s = static_cast<Real>(onset_s);
+    if constexpr (kTriesMany) together_.has_late = together_.has_late || onset_s > 0.0;
     return true;
   }
   bool apply(const AppliedEffect& effect) {
@@ -54,6 +61,8 @@ class ColumnSet {
     for (std::size_t j = 0; j < terms_; ++j) onset_[j].look_back(cutting_time_s_at);
   }
   [[nodiscard]] std::size_t size() const { return terms_; }
+  /// Is there nothing that depends on signals? A board always has terms.
+  [[nodiscard]] bool is_empty() const { return kMostApplied > 0 && terms_ + applied_ == 0; }
   [[nodiscard]] const EffectScales<Real>& scales() const { return scales_; }
 
   /// Sum of the effects in the model but for dry friction: those of the sensors, or the others.
@@ -85,17 +94,38 @@ class ColumnSet {
       return around_a_turn(start, first, free, last);
   }
 
-  /// visit(index, contribution) for every term: what it adds where it is of that sort, nothing where it is
-  /// not.
+  /// visit(index, contribution) for every term of that sort.
   template <class Visit>
   void for_each(const EffectSignals<Real>& signals, bool in_sensor, Visit visit) {
-    for (std::size_t j = 0; j < terms_; ++j) {
-      const bool acts = is_in_sensor(term_[j].form().effect) == in_sensor;
-      visit(j, acts ? step(j, signals) : Contribution<Real>{});
+    if constexpr (kTriesMany) {
+      if (!in_sensor && together_.cogging >= kMany) {
+        together_.multiples.follow(signals.angle_rad);
+        EffectSignals<Real> told = signals;
+        told.multiples = &together_.multiples;
+        return visit_each(told, in_sensor, visit);
+      }
+      const bool are_unnamed = together_.unnamed == terms_ && !together_.has_late;
+      if (!in_sensor && are_unnamed && terms_ >= kMany) return visit_unnamed(signals, visit);
     }
+    visit_each(signals, in_sensor, visit);
   }
 
  private:
+  template <class Visit>
+  void visit_each(const EffectSignals<Real>& signals, bool in_sensor, Visit visit) {
+    for (std::size_t j = 0; j < terms_; ++j)
+      if (is_in_sensor(term_[j].form().effect) == in_sensor) visit(j, step(j, signals));
+  }
+
+  /// Where all of them are functions without a name, and there from the start.
+  template <class Visit>
+  void visit_unnamed(const EffectSignals<Real>& signals, Visit visit) {
+    laws::UnnamedValues<Real> all;
+    const bool is_feed = term_[0].form().effect == Effect::kUnnamedForce;
+    is_feed ? all.follow_feed(signals, scales_) : all.follow_spindle(signals, scales_);
+    for (std::size_t j = 0; j < terms_; ++j) visit(j, term_[j].unnamed(all.value[term_[j].form().kind]));
+  }
+
   Contribution<Real> step(std::size_t j, const EffectSignals<Real>& signals) {
     if constexpr (kHasOnsets)
       if (onset_[j].time_s > Real(0)) return late_step(j, signals);
@@ -110,9 +140,23 @@ class ColumnSet {
     return is_on ? one : Contribution<Real>{};
   }
 
+  /// Terms of which there may be many.
+  struct Together {
+    std::size_t cogging = 0;
+    std::size_t unnamed = 0;
+    bool has_late = false;
+    AngleMultiples<Real> multiples{};  ///< which cogging and teeth share
+    void count(Effect effect) {
+      if (effect == Effect::kSpindleCogging) ++cogging;
+      if (effect >= Effect::kUnnamedTorque) ++unnamed;
+    }
+  };
+
   EffectScales<Real> scales_;
   double step_s_;
+  [[no_unique_address]] std::conditional_t<kTriesMany, Together, Nothing> together_;
   std::array<EffectTerm<Real, kDelaySteps>, kMostTerms> term_{};
+  std::array<bool, kMostTerms> term_is_sensor_{};
   std::array<Onset<Real>, kHasOnsets ? kMostTerms : 0> onset_{};
   std::array<AppliedTerm<Real, kDelaySteps>, kMostApplied> applied_term_{};
   std::array<bool, kMostApplied> applied_is_sensor_{};

@@ -45,19 +45,32 @@ Real harmonic(Real angle_rad, int part) {
   return part % 2 == 0 ? math::sin(angle) : math::cos(angle);
 }
 
+/// The same of so many times the spindle's angle.
+template <class Real>
+Real spindle_harmonic(const EffectSignals<Real>& s, Real multiple, int part) {
+  if constexpr (kMayShare<Real>) {
+    const auto* const known =
+        s.multiples == nullptr ? nullptr : s.multiples->of(multiple * static_cast<Real>(1 + part / 2));
+    if (known != nullptr) return part % 2 == 0 ? known->sin : known->cos;
+  }
+  return harmonic(multiple * s.angle_rad, part);
+}
+
 /// A load that passes with the teeth; kind 1: run-out, by which one tooth cuts more than another.
 template <class Real>
 Real tooth_load(const EffectForm& form, int part, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
   if (s.contact == Real(0)) return Real(0);
-  return s.contact * harmonic((form.kind == 0 ? k.teeth : Real(1)) * s.angle_rad, part);
+  return s.contact * spindle_harmonic(s, form.kind == 0 ? k.teeth : Real(1), part);
 }
 
 // Of the reference speed: where a load of the cut changes its side.
 inline constexpr float kSmoothShare = 0.002F;
 
+/// Direction of a load of the cut, nothing in the air.
 template <class Real>
-Real spindle_side(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
-  return side(s.speed_rad_s, static_cast<Real>(kSmoothShare) * k.speed_rad_s);
+Real cut_side(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  if (s.contact == Real(0)) return Real(0);
+  return s.contact * side(s.speed_rad_s, static_cast<Real>(kSmoothShare) * k.speed_rad_s);
 }
 
 /// Torque in N m on the spindle, added to Kt i.
@@ -73,17 +86,17 @@ Real torque(const EffectForm& form, int part, const EffectSignals<Real>& s, cons
     case Effect::kSpindleWindage:
       return -w * math::abs(w);
     case Effect::kSpindleCogging:  // shape: periods per revolution
-      return -harmonic(shape * s.angle_rad, part);
+      return -spindle_harmonic(s, shape, part);
     case Effect::kToothPassingTorque:
       return -tooth_load(form, part, s, k);
     case Effect::kContactSpeedDependence:
-      return -s.contact * spindle_side(s, k) * (math::abs(w) / k.speed_rad_s - Real(1));
+      return -cut_side(s, k) * (math::abs(w) / k.speed_rad_s - Real(1));
     case Effect::kContactChipLoadDependence:
-      return -s.contact * spindle_side(s, k) * (s.chip_load_mm / k.chip_load_mm - Real(1));
+      return -cut_side(s, k) * (s.chip_load_mm / k.chip_load_mm - Real(1));
     case Effect::kContactTemperatureDependence:
-      return -s.contact * spindle_side(s, k) * (s.tool_degc - k.tool_degc) * Real(0.01);
+      return -cut_side(s, k) * (s.tool_degc - k.tool_degc) * Real(0.01);
     case Effect::kToolWearRamp:
-      return -s.contact * spindle_side(s, k) * s.cutting_time_s;
+      return -cut_side(s, k) * s.cutting_time_s;
     case Effect::kViscousTemperatureDependence:  // kind 1: the heat comes from the tool
       return -k.viscous_friction_nms_rad * w *
              (form.kind == 0 ? s.winding_degc - k.winding_degc : s.tool_degc - k.tool_degc);

@@ -1,7 +1,16 @@
 #pragma once
+#include <type_traits>
+
+#include "lib/gap/angle_multiples.hpp"
 #include "lib/plant/machine_parameters.hpp"
 
 namespace morepro::gap {
+
+/// Where so many terms are tried that what they have in common is worked out once: on a PC, which counts in
+/// double.
+template <class Real>
+inline constexpr bool kMayShare = std::is_same_v<Real, double>;
+struct Nothing {};
 
 /// What an effect can depend on, at one instant. SI units, temperatures in degC, chip load in mm.
 template <class Real>
@@ -26,6 +35,8 @@ struct EffectSignals {
   Real driven_speed_rad_s = 0;
   Real driven_current_a = 0;
   Real driven_feed_speed_m_s = 0;
+  /// Of `angle_rad`, where many terms follow it; none: each for itself.
+  [[no_unique_address]] std::conditional_t<kMayShare<Real>, const AngleMultiples<Real>*, Nothing> multiples{};
 };
 
 /// What one effect adds, for a coefficient of one: to the right-hand side of the balances,

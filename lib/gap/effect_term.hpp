@@ -50,13 +50,25 @@ class EffectTerm {
       case Effect::kCurrentBandwidth:
         return {.current_a = lag_.end(s.driven_current_a) - s.driven_current_a};
       case Effect::kUnnamedTorque:
-        return {.torque_nm = unnamed(s, k)};
       case Effect::kUnnamedVoltage:
-        return {.voltage_v = unnamed(s, k)};
       case Effect::kUnnamedForce:
-        return {.force_n = unnamed(s, k)};
+        return unnamed(unnamed_law(s, k));
       default:
         return by_law(s, k);
+    }
+  }
+
+  /// The same of a function without a name that has this value; kind: its number. A shape is a time constant,
+  /// through which it is seen.
+  Contribution<Real> unnamed(Real value) {
+    const Real seen = form_.shape > 0.0F ? lag_.end(value) : value;
+    switch (form_.effect) {
+      case Effect::kUnnamedTorque:
+        return {.torque_nm = seen};
+      case Effect::kUnnamedVoltage:
+        return {.voltage_v = seen};
+      default:
+        return {.force_n = seen};
     }
   }
 
@@ -123,11 +135,10 @@ class EffectTerm {
     return change_m_s / (per_half_mass * step_s_);
   }
 
-  /// kind: number of the law; a shape is a time constant, through which the law is seen.
-  Real unnamed(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
-    const Real value = form_.effect == Effect::kUnnamedForce ? laws::unnamed_feed(form_.kind, s, k)
-                                                             : laws::unnamed_spindle(form_.kind, s, k);
-    return form_.shape > 0.0F ? lag_.end(value) : value;
+  // Apart: with so many laws inside, every other term would take longer.
+  [[gnu::noinline]] Real unnamed_law(const EffectSignals<Real>& s, const EffectScales<Real>& k) const {
+    return form_.effect == Effect::kUnnamedForce ? laws::unnamed_feed(form_.kind, s, k)
+                                                 : laws::unnamed_spindle(form_.kind, s, k);
   }
 
   Real delayed(Real value) {

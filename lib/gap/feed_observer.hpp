@@ -112,21 +112,23 @@ class FeedObserver {
   }
 
   void update(const GapFrame<Real>& frame, Rows& rows) {
-    const EffectSignals<Real> signals = signals_of(frame, observer_.mean(0), observer_.mean(1));
-    shown_ = terms_.applied(signals, true);
-    terms_.for_each(signals, true, [this](std::size_t j, const Contribution<Real>& c) {
-      on_speed_[kFeedParameters + j] = c.feed_speed_m_s;
-    });
-    for (std::size_t j = 0; j < kFeedParameters; ++j) on_speed_[j] = Real(0);
+    if (!terms_.is_empty()) show(signals_of(frame, observer_.mean(0), observer_.mean(1)));
     if (frame.has_feed_position)
       observer_.template update<0>(frame.feed_position_m - origin_m_ - observer_.mean(0),
                                    noise_.doubt(frame.time_s) * noise_.feed_position_variance, no_position_,
                                    rows.position);
     if (frame.has_feed_speed)
       observer_.template update<1>(frame.feed_speed_m_s - shown_.feed_speed_m_s - observer_.mean(1),
-                                   noise_.doubt(frame.time_s) * noise_.feed_speed_variance, on_speed_,
+                                   noise_.doubt(frame.time_s) * noise_.feed_speed_variance, speed_error_,
                                    rows.speed);
     driven_m_s_ += Real(kDrivenLeak) * (observer_.mean(1) - driven_m_s_);
+  }
+
+  void show(const EffectSignals<Real>& signals) {
+    shown_ = terms_.applied(signals, true);
+    terms_.for_each(signals, true, [this](std::size_t j, const Contribution<Real>& c) {
+      speed_error_[kFeedParameters + j] = c.feed_speed_m_s;
+    });
   }
 
   void predict(const GapFrame<Real>& frame) {
@@ -165,7 +167,7 @@ class FeedObserver {
     if (has_columns_) load_columns(middle, motion.gained_m_s / step_s_, frame.input);
     driven_m_s_ += motion.speed_m_s - observer_.mean(1);
     observer_.predict(motion.position_m, motion.speed_m_s, motion.by_state, motion.by_rate, process_noise_,
-                      no_position_, on_speed_);
+                      no_position_, speed_rate_);
   }
 
   /// `free_m_s2`: acceleration of an axis at rest without friction.
@@ -180,17 +182,20 @@ class FeedObserver {
   void load_columns(const EffectSignals<Real>& s, Real acceleration_m_s2, const PlantInput<Real>& input) {
     const auto& k = terms_.scales();
     const Real per_mass = Real(1) / k.mass_kg;
-    on_speed_[0] = -acceleration_m_s2;
-    on_speed_[1] = -k.feed_viscous_friction_ns_m * s.feed_speed_m_s * per_mass;
-    on_speed_[2] = -input.contact * per_mass;
-    on_speed_[3] = -input.contact * (input.engagement - Real(1)) * per_mass;
+    speed_rate_[0] = -acceleration_m_s2;
+    speed_rate_[1] = -k.feed_viscous_friction_ns_m * s.feed_speed_m_s * per_mass;
+    speed_rate_[2] = -input.contact * per_mass;
+    speed_rate_[3] = -input.contact * (input.engagement - Real(1)) * per_mass;
     terms_.for_each(s, false, [&](std::size_t j, const Contribution<Real>& c) {
-      on_speed_[kFeedParameters + j] = c.force_n * per_mass;
+      speed_rate_[kFeedParameters + j] = c.force_n * per_mass;
     });
   }
 
+  /// What nobody asks for without effects is left out.
   EffectSignals<Real> signals_of(const GapFrame<Real>& frame, Real position_m, Real speed_m_s) const {
     EffectSignals<Real> s;
+    s.feed_speed_m_s = speed_m_s;
+    if (terms_.is_empty()) return s;
     s.time_s = frame.time_s;
     s.cutting_time_s = frame.cutting_time_s;
     s.feed_force_n = frame.input.feed_force_n;
@@ -198,7 +203,6 @@ class FeedObserver {
     s.chip_load_mm = frame.input.chip_load_mm;
     s.speed_rad_s = spindle_speed_rad_s_;
     s.angle_rad = angle_rad_;
-    s.feed_speed_m_s = speed_m_s;
     s.driven_feed_speed_m_s = driven_m_s_;
     s.feed_position_m = position_m;
     s.tool_degc = frame.input.tool_temperature_degc;
@@ -219,7 +223,9 @@ class FeedObserver {
   Observer observer_;
   typename Observer::Columns
       no_position_{};  ///< always zero: nothing acts on the position but through the speed
-  typename Observer::Columns on_speed_{};
+  // What the columns add: to the speed's derivative during an interval, and to what its sensor shows. Zero
+  // for ever where one does not act.
+  typename Observer::Columns speed_rate_{};
   Real origin_m_ = 0;
   Real driven_m_s_ = 0;
   Real spindle_speed_rad_s_ = 0;
@@ -229,6 +235,7 @@ class FeedObserver {
   bool is_started_ = false;
   bool has_origin_ = false;
   bool has_columns_ = true;
+  typename Observer::Columns speed_error_{};
 };
 
 }  // namespace morepro::gap

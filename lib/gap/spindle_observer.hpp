@@ -38,6 +38,8 @@ class SpindleObserver {
       : plant_(machine),
         terms_(EffectScales<Real>(machine, point), step_s),
         step_s_(static_cast<Real>(step_s)),
+        speed_yield_(Real(0.5) * step_s_ / terms_.scales().inertia_kgm2),
+        current_yield_(Real(0.5) * step_s_ / terms_.scales().inductance_h),
         noise_(noise),
         process_noise_{noise.speed_step * noise.speed_step, Real(0), Real(0),
                        noise.current_step * noise.current_step},
@@ -101,22 +103,25 @@ class SpindleObserver {
   }
 
   void update(const GapFrame<Real>& frame, Rows& rows) {
-    const EffectSignals<Real> signals = signals_of(frame, observer_.mean(0), observer_.mean(1));
-    shown_ = terms_.applied(signals, true);
-    terms_.for_each(signals, true, [this](std::size_t j, const Contribution<Real>& c) {
-      first_[kSpindleParameters + j] = c.speed_rad_s;
-      second_[kSpindleParameters + j] = c.current_a;
-    });
-    for (std::size_t j = 0; j < kSpindleParameters; ++j) first_[j] = second_[j] = Real(0);
+    if (!terms_.is_empty()) show(signals_of(frame, observer_.mean(0), observer_.mean(1)));
     if (frame.has_current)
       observer_.template update<1>(frame.current_a - shown_.current_a - observer_.mean(1),
-                                   noise_.doubt(frame.time_s) * noise_.current_variance, second_,
+                                   noise_.doubt(frame.time_s) * noise_.current_variance, current_error_,
                                    rows.current);
     if (frame.has_speed)
       observer_.template update<0>(frame.speed_rad_s - shown_.speed_rad_s - observer_.mean(0),
-                                   noise_.doubt(frame.time_s) * noise_.speed_variance, first_, rows.speed);
+                                   noise_.doubt(frame.time_s) * noise_.speed_variance, speed_error_,
+                                   rows.speed);
     driven_rad_s_ += Real(kDrivenLeak) * (observer_.mean(0) - driven_rad_s_);
     driven_a_ += Real(kDrivenLeak) * (observer_.mean(1) - driven_a_);
+  }
+
+  void show(const EffectSignals<Real>& signals) {
+    shown_ = terms_.applied(signals, true);
+    terms_.for_each(signals, true, [this](std::size_t j, const Contribution<Real>& c) {
+      speed_error_[kSpindleParameters + j] = c.speed_rad_s;
+      current_error_[kSpindleParameters + j] = c.current_a;
+    });
   }
 
   void predict(const GapFrame<Real>& frame) {
@@ -124,10 +129,8 @@ class SpindleObserver {
     const Real half = Real(0.5);
     // Half of the friction before the rest and half of it after (Strang): right to second order, and a state
     // that sticks does so where it should.
-    const Real yield_w = half * step_s_ / k.inertia_kgm2;
-    const Real yield_i = half * step_s_ / k.inductance_h;
-    const Braking<Real> on_w{BrakedState::kSpindleSpeed, yield_w, frame.time_s, observer_.variance(0)};
-    const Braking<Real> on_i{BrakedState::kCurrent, yield_i, frame.time_s, observer_.variance(1)};
+    const Braking<Real> on_w{BrakedState::kSpindleSpeed, speed_yield_, frame.time_s, observer_.variance(0)};
+    const Braking<Real> on_i{BrakedState::kCurrent, current_yield_, frame.time_s, observer_.variance(1)};
     const auto w0 = terms_.rub(on_w, observer_.mean(0));
     auto i0 = terms_.rub(on_i, observer_.mean(1));
     const PlantState<Real> x{w0.value, Real(0), i0.value};
@@ -137,10 +140,7 @@ class SpindleObserver {
     const auto& f = linear.derivative;
     const Real dw = psi.a00 * f.acceleration_rad_s2 + psi.a01 * f.current_rate_a_s;
     const Real di = psi.a10 * f.acceleration_rad_s2 + psi.a11 * f.current_rate_a_s;
-    EffectSignals<Real> middle = signals_of(frame, x.speed_rad_s + half * dw, x.current_a + half * di);
-    middle.acceleration_rad_s2 = dw / step_s_;
-    middle.current_rate_a_s = di / step_s_;
-    middle.angle_rad += half * step_s_ * x.speed_rad_s;
+    const EffectSignals<Real> middle = middle_of(frame, x, dw, di);
     added_ = terms_.applied(middle, false);
     const Real rate_w = added_.torque_nm / k.inertia_kgm2;
     const Real rate_i = added_.voltage_v / k.inductance_h;
@@ -150,8 +150,8 @@ class SpindleObserver {
     const auto i1 = terms_.rub_on(on_i, observer_.mean(1), i0, free_i);
     const Real rubbed_w = w0.value - observer_.mean(0) + w1.value - free_w;
     const Real rubbed_i = i0.value - observer_.mean(1) + i1.value - free_i;
-    added_.torque_nm += half * rubbed_w / yield_w;
-    added_.voltage_v += half * rubbed_i / yield_i;
+    added_.torque_nm += half * rubbed_w / speed_yield_;
+    added_.voltage_v += half * rubbed_i / current_yield_;
     const Real added_w = psi.a00 * rate_w + psi.a01 * rate_i + rubbed_w;
     const Real added_i = psi.a10 * rate_w + psi.a11 * rate_i + rubbed_i;
     if (has_columns_) {
@@ -168,7 +168,7 @@ class SpindleObserver {
     driven_rad_s_ += w1.value - observer_.mean(0);
     driven_a_ += i1.value - observer_.mean(1);
     observer_.predict(w1.value, i1.value, braked(first, w1.slope, i1.slope), braked(psi, w1.slope, i1.slope),
-                      process_noise_, first_, second_);
+                      process_noise_, speed_rate_, current_rate_);
     angle_rad_ += step_s_ * (x.speed_rad_s + half * dw);
   }
 
@@ -196,31 +196,43 @@ class SpindleObserver {
     const auto& k = terms_.scales();
     const Real per_inertia = Real(1) / k.inertia_kgm2;
     const Real per_inductance = Real(1) / k.inductance_h;
-    first_[1] = -k.viscous_friction_nms_rad * s.speed_rad_s * per_inertia;
-    first_[0] = unbraked_rad_s2 - first_[1];
-    first_[2] = -acceleration_rad_s2;
-    first_[3] = first_[4] = first_[5] = Real(0);
-    second_[0] = second_[1] = second_[2] = Real(0);
-    second_[3] = -k.resistance_ohm * s.current_a * per_inductance;
-    second_[4] = -k.back_emf_constant_vs_rad * s.speed_rad_s * per_inductance;
-    second_[5] = -current_rate_a_s;
+    speed_rate_[1] = -k.viscous_friction_nms_rad * s.speed_rad_s * per_inertia;
+    speed_rate_[0] = unbraked_rad_s2 - speed_rate_[1];
+    speed_rate_[2] = -acceleration_rad_s2;
+    current_rate_[3] = -k.resistance_ohm * s.current_a * per_inductance;
+    current_rate_[4] = -k.back_emf_constant_vs_rad * s.speed_rad_s * per_inductance;
+    current_rate_[5] = -current_rate_a_s;
     terms_.for_each(s, false, [&](std::size_t j, const Contribution<Real>& c) {
-      first_[kSpindleParameters + j] = c.torque_nm * per_inertia;
-      second_[kSpindleParameters + j] = c.voltage_v * per_inductance;
+      speed_rate_[kSpindleParameters + j] = c.torque_nm * per_inertia;
+      current_rate_[kSpindleParameters + j] = c.voltage_v * per_inductance;
     });
   }
 
+  /// Of the middle of an interval from `x` on, in which the states change by `dw` and `di`.
+  EffectSignals<Real> middle_of(const GapFrame<Real>& frame, const PlantState<Real>& x, Real dw,
+                                Real di) const {
+    const Real half = Real(0.5);
+    EffectSignals<Real> middle = signals_of(frame, x.speed_rad_s + half * dw, x.current_a + half * di);
+    if (terms_.is_empty()) return middle;
+    middle.acceleration_rad_s2 = dw / step_s_;
+    middle.current_rate_a_s = di / step_s_;
+    middle.angle_rad += half * step_s_ * x.speed_rad_s;
+    return middle;
+  }
+
+  /// What nobody asks for without effects is left out.
   EffectSignals<Real> signals_of(const GapFrame<Real>& frame, Real speed_rad_s, Real current_a) const {
     EffectSignals<Real> s;
+    s.speed_rad_s = speed_rad_s;
+    s.current_a = current_a;
+    if (terms_.is_empty()) return s;
     s.time_s = frame.time_s;
     s.cutting_time_s = frame.cutting_time_s;
     s.armature_voltage_v = frame.input.armature_voltage_v;
     s.feed_force_n = frame.input.feed_force_n;
     s.contact = frame.input.contact;
     s.chip_load_mm = frame.input.chip_load_mm;
-    s.speed_rad_s = speed_rad_s;
     s.angle_rad = angle_rad_;
-    s.current_a = current_a;
     s.driven_speed_rad_s = driven_rad_s_;
     s.driven_current_a = driven_a_;
     s.feed_speed_m_s = feed_speed_m_s_;
@@ -232,13 +244,17 @@ class SpindleObserver {
   Plant<Real> plant_;
   Terms terms_;
   Real step_s_;
+  Real speed_yield_;    ///< what half of an interval's friction of 1 N m takes from the speed
+  Real current_yield_;  ///< and of 1 V from the current
   GapNoise<Real> noise_;
   math::BasicMatrix2<Real> process_noise_;
   Real braking_per_s_;
   math::BasicExponentialStep2<Real> exponential_;
   Observer observer_;
-  typename Observer::Columns first_{};
-  typename Observer::Columns second_{};
+  // What the columns add: to the states' derivatives during an interval, and to what the sensors show. Zero
+  // for ever where one does not act.
+  typename Observer::Columns speed_rate_{};
+  typename Observer::Columns current_rate_{};
   Real angle_rad_ = 0;
   Real driven_rad_s_ = 0;
   Real driven_a_ = 0;
@@ -247,6 +263,8 @@ class SpindleObserver {
   Contribution<Real> shown_;
   bool is_started_ = false;
   bool has_columns_ = true;
+  typename Observer::Columns speed_error_{};
+  typename Observer::Columns current_error_{};
 };
 
 }  // namespace morepro::gap

@@ -36,13 +36,13 @@ class TwoStateObserver {
   [[nodiscard]] std::size_t columns() const { return columns_; }
 
   void start(Real x0, Real x1, Real variance0, Real variance1) {
-    *this = TwoStateObserver(columns_);
     mean_ = {x0, x1};
     p00_ = variance0;
+    p01_ = Real(0);
     p11_ = variance1;
+    error0_.fill(Real(0));
+    error1_.fill(Real(0));
   }
-
-  TwoStateObserver() = default;
 
   [[nodiscard]] Real mean(std::size_t state) const { return mean_[state]; }
   [[nodiscard]] Real variance(std::size_t state) const { return state == 0 ? p00_ : p11_; }
@@ -97,8 +97,6 @@ class TwoStateObserver {
   }
 
  private:
-  explicit TwoStateObserver(std::size_t columns) : columns_(columns) {}
-
   // own * sensor / sum cannot become negative.
   template <std::size_t kState>
   void shrink(Real gain0, Real gain1, Real sum, Real sensor_variance) {

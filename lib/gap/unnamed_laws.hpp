@@ -1,6 +1,8 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <utility>
 
 #include "lib/gap/effect_scales.hpp"
 #include "lib/gap/effect_signals.hpp"
@@ -15,7 +17,8 @@ inline constexpr std::uint8_t kUnnamedFeedLaws = 24;
 inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis
 
 template <class Real>
-Real unnamed_spindle(std::uint8_t law, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+[[gnu::always_inline]] inline Real unnamed_spindle(std::uint8_t law, const EffectSignals<Real>& s,
+                                                   const EffectScales<Real>& k) {
   const Real w = s.speed_rad_s / k.speed_rad_s;
   const Real i = s.current_a / k.current_a;
   const Real v = s.feed_speed_m_s / k.feed_speed_m_s;
@@ -86,7 +89,8 @@ Real bell(Real place, int number) {
 }
 
 template <class Real>
-Real unnamed_feed(std::uint8_t law, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+[[gnu::always_inline]] inline Real unnamed_feed(std::uint8_t law, const EffectSignals<Real>& s,
+                                                const EffectScales<Real>& k) {
   const Real v = s.feed_speed_m_s / k.feed_speed_m_s;
   const Real w = s.speed_rad_s / k.speed_rad_s;
   const Real f = s.feed_force_n / k.feed_force_n;
@@ -129,5 +133,25 @@ Real unnamed_feed(std::uint8_t law, const EffectSignals<Real>& s, const EffectSc
       return bell(x, static_cast<int>(law) - 16);
   }
 }
+
+/// Every one of them at one instant: together they cost little more than a few by themselves.
+template <class Real>
+struct UnnamedValues {
+  std::array<Real, kUnnamedSpindleLaws> value{};
+  static_assert(kUnnamedFeedLaws <= kUnnamedSpindleLaws);
+
+  void follow_spindle(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+    [&]<std::uint8_t... law>(std::integer_sequence<std::uint8_t, law...>) {
+      ((value[law] = unnamed_spindle(law, s, k)), ...);
+    }
+    (std::make_integer_sequence<std::uint8_t, kUnnamedSpindleLaws>{});
+  }
+  void follow_feed(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+    [&]<std::uint8_t... law>(std::integer_sequence<std::uint8_t, law...>) {
+      ((value[law] = unnamed_feed(law, s, k)), ...);
+    }
+    (std::make_integer_sequence<std::uint8_t, kUnnamedFeedLaws>{});
+  }
+};
 
 }  // namespace morepro::gap::laws

@@ -64,7 +64,7 @@ class DiagnosisSearch {
   double evidence_of_known() const {
     if (fit_.model().known.empty()) return 0.0;
     AxisFit without = fit_;
-    without.model().known.clear();
+    without.change_model().known.clear();
     without.settle(kDuelRounds);
     const double evidence = without.unlikeliness() - fit_.unlikeliness();
     return std::isfinite(evidence) ? evidence : 0.0;
@@ -114,7 +114,7 @@ class DiagnosisSearch {
       const gap::AppliedEffect late = fit_.model().effects[i];
       if (!(late.onset_s > 0.0)) continue;
       AxisFit other = fit_;
-      gap::AppliedEffect& early = other.model().effects[i];
+      gap::AppliedEffect& early = other.change_model().effects[i];
       early.onset_s = 0.0;
       const double price = freedom_cost(fit_, late) - freedom_cost(other, early);
       other.settle(kDuelRounds);
@@ -164,7 +164,7 @@ class DiagnosisSearch {
     if (all_without.empty()) return {};
     if (all_without.size() == 1) return {without_any()};
     in_parallel(all_without.size(), [&](std::size_t i) {
-      auto& effects = all_without[i].model().effects;
+      auto& effects = all_without[i].change_model().effects;
       effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(i));
       all_without[i].settle(kDuelRounds);
       for (std::size_t k = 0; k < effects.size(); ++k)
@@ -179,7 +179,7 @@ class DiagnosisSearch {
   AxisFit without_any() const {
     const AxisFit::Rival nominal = diagnosis_.nominal.as_rival();
     AxisFit without = fit_;
-    without.model().effects.clear();
+    without.change_model().effects.clear();
     without.settle_roughly(kDuelRounds, nominal);
     without.finish(nominal);
     return without.unlikeliness() < diagnosis_.nominal.unlikeliness() ? without : diagnosis_.nominal;
@@ -237,7 +237,7 @@ class DiagnosisSearch {
     }
     std::stable_sort(diagnosis_.found.begin(), diagnosis_.found.end(),
                      [](const Finding& a, const Finding& b) { return a.evidence > b.evidence; });
-    auto& effects = fit_.model().effects;
+    auto& effects = fit_.change_model().effects;
     for (std::size_t i = 0; i < effects.size(); ++i) effects[i] = diagnosis_.found[i].effect;
     fit_.refit_with_this_noise();
     take_sizes();

@@ -70,7 +70,10 @@ const GapStatistics& AxisFit::innovations() const {
   return *innovations_;
 }
 
-double AxisFit::unlikeliness_as_it_is() const { return unlikeliness_of(new_innovations()); }
+double AxisFit::unlikeliness_as_it_is() const {
+  const GapStatistics innovations = new_innovations();
+  return unlikeliness_of(innovations, whitening_of(innovations));
+}
 
 std::optional<AxisFit::KnownSize> AxisFit::known_size_of(gap::Effect effect) const {
   auto column = static_cast<Eigen::Index>(parameter_count(axis_));
@@ -158,7 +161,7 @@ bool AxisFit::improve(Trial& best) {
   if (!(promised > kSettled * unit)) return false;
   const GapModel start = model_;
   for (; best.damping < kDampings.size(); ++best.damping) {
-    model() = start;
+    change_model() = start;
     take(step_of(best.moments, active, kDampings[best.damping]));
     Trial trial = tried();
     if (!(trial.cost < best.cost) && best.damping == 0) follow_bend(best, trial);
@@ -170,7 +173,7 @@ bool AxisFit::improve(Trial& best) {
     best = std::move(trial);
     return gained > std::max(kSettled * unit, kCrawl * promised);
   }
-  model() = start;
+  change_model() = start;
   return false;
 }
 
@@ -242,21 +245,23 @@ std::array<GapModel, 2> AxisFit::cross_fitted(double block_s, std::size_t blocks
   return models;
 }
 
-void AxisFit::expect_little_noise() { expect_process_noise(least_noise_share_, model().noise); }
+void AxisFit::expect_little_noise() { expect_process_noise(least_noise_share_, change_model().noise); }
 
 void AxisFit::refit() {
   Trial best = tried();
   for (int i = 0; i < kMostImprovements && improve(best); ++i) {
   }
-  set_whitening(whitening_of(best.statistics));
-  unlikeliness_ = unlikeliness_of(best.statistics);
+  take_rest(best.statistics);
 }
 
 void AxisFit::match_noise() {
-  fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model());
-  const Trial here = tried();
-  set_whitening(whitening_of(here.statistics));
-  unlikeliness_ = unlikeliness_of(here.statistics);
+  fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), change_model());
+  take_rest(tried().statistics);
+}
+
+void AxisFit::take_rest(const GapStatistics& statistics) {
+  set_whitening(whitening_of(statistics));
+  unlikeliness_ = unlikeliness_of(statistics, whitening_);
 }
 
 double AxisFit::refit_with_this_noise() {
@@ -332,7 +337,7 @@ void AxisFit::take_turns(int most_rounds, double rival) {
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < kMostInVain; ++round) {
     const bool has_changed =
-        fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), model());
+        fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), change_model());
     if (!has_changed && std::isfinite(best.unlikeliness_)) break;
     refit();
     if (!std::isfinite(unlikeliness_)) break;

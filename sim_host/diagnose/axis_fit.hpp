@@ -120,7 +120,7 @@ class AxisFit {
   [[nodiscard]] Axis axis() const { return axis_; }
   [[nodiscard]] const RecordingSignals& signals() const { return *signals_; }
   /// To be changed, before the innovations are asked for again.
-  GapModel& model() {
+  GapModel& change_model() {
     innovations_.reset();
     return model_;
   }
@@ -152,6 +152,8 @@ class AxisFit {
   [[nodiscard]] static double relative_error_of(const KnownSize& known);
   [[nodiscard]] GapStatistics new_innovations() const;
   [[nodiscard]] Trial tried() const;
+  /// What a pass over all that is looked at has left: its whitening, and how likely the model is.
+  void take_rest(const GapStatistics& statistics);
   void look_at(std::vector<Stretch> stretches) {
     stretches_ = std::move(stretches);
     innovations_.reset();

@@ -59,8 +59,8 @@ Eigen::VectorXd AxisFit::target(Eigen::Index width) const {
 }
 
 void AxisFit::take_parameters(const Eigen::VectorXd& step) {
-  auto& s = model().machine.spindle;
-  auto& f = model().machine.feed;
+  auto& s = change_model().machine.spindle;
+  auto& f = change_model().machine.feed;
   if (axis_ == Axis::kSpindle) {
     s.torque_constant_nm_a *= std::exp(step(0));
     s.viscous_friction_nms_rad *= std::exp(step(1));
@@ -78,7 +78,7 @@ void AxisFit::take_parameters(const Eigen::VectorXd& step) {
 
 void AxisFit::take_sizes(const Eigen::VectorXd& step) {
   Eigen::Index next = 0;
-  for (gap::AppliedEffect& effect : model().effects) {
+  for (gap::AppliedEffect& effect : change_model().effects) {
     for (std::size_t part = 0; part < effect.form.parts; ++part) {
       const double change = step(next++);
       if (is_pure_shape(effect.form))
@@ -97,7 +97,7 @@ bool AxisFit::tells_engaged_load() const {
 void AxisFit::attribute_load() {
   const bool is_engaged = model_.machine.feed.engagement > 0.0;
   if (axis_ != Axis::kFeed || tells_engaged_load() || !is_engaged) return;
-  auto& f = model().machine.feed;
+  auto& f = change_model().machine.feed;
   const double offset_n = datasheet_.machine.feed.contact_offset_n;
   f.contact_force_n += (f.contact_offset_n - offset_n) / f.engagement;
   f.contact_offset_n = offset_n;

@@ -43,7 +43,7 @@ double freedom_of_parameters(const AxisFit& fit) {
 /// Deviance by which a datasheet's values are worse than those that were fitted.
 double deviance_of_datasheet(const AxisFit& nominal) {
   AxisFit datasheet = nominal;
-  datasheet.model().machine = nominal.datasheet().machine;
+  datasheet.change_model().machine = nominal.datasheet().machine;
   const GapStatistics& wrong = datasheet.innovations();
   const GapStatistics& right = nominal.innovations();
   if (!(right.total_rows() > 0.0)) return 0.0;
@@ -74,7 +74,7 @@ bool is_datasheet_wrong(const AxisFit& nominal, double deviance) {
 /// The same where noise may last: what it bends the parameters by makes the recording likelier, too.
 bool is_datasheet_wrong_beside_lasting_noise(AxisFit nominal) {
   AxisFit datasheet = nominal;
-  datasheet.model().machine = nominal.datasheet().machine;
+  datasheet.change_model().machine = nominal.datasheet().machine;
   const double wrong = datasheet.deviance_beside_lasting_noise();
   const double right = nominal.refit_beside_lasting_noise();
   return is_datasheet_wrong(nominal, wrong - right);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "lib/gap/gap_watch.hpp"
@@ -44,7 +45,7 @@ constexpr std::size_t kShift = Watch::kRowsOfStretch;
 constexpr std::size_t kWatches = (Watch::kStretch + kShift - 1) / kShift;
 
 /// Shows a recording to a watch whose first stretch begins at row `first`.
-void show(const std::vector<BoardFrame>& frames, std::size_t first, Watch& watch) {
+void show(std::span<const BoardFrame> frames, std::size_t first, Watch& watch) {
   std::uint32_t lost = 0;
   for (std::size_t row = 0; row < frames.size(); ++row) {
     const bool is_turn = row >= first && (row - first) % (kWatches * kShift) == 0;
@@ -111,7 +112,7 @@ void take_for_noise(float clock_jitter_s, gap::SampleLimits& limits) {
 }
 
 /// By so many of the watches that take turns. `rate_hz`: of the frames.
-gap::GapFinding found_by(std::size_t watches, const std::vector<BoardFrame>& frames, double rate_hz,
+gap::GapFinding found_by(std::size_t watches, std::span<const BoardFrame> frames, double rate_hz,
                          const MachineParameters& machine, const BoardSight& sight,
                          gap::GapSettings& settings) {
   const auto new_watch = [&] {
@@ -156,19 +157,20 @@ gap::GapFinding found_by(std::size_t watches, const std::vector<BoardFrame>& fra
   return all->finding();
 }
 
-gap::GapFinding found_on_board(const std::vector<BoardFrame>& frames, double rate_hz,
+gap::GapFinding found_on_board(std::span<const BoardFrame> frames, double rate_hz,
                                const MachineParameters& machine, const BoardSight& sight,
                                gap::GapSettings& settings) {
   return found_by(kWatches, frames, rate_hz, machine, sight, settings);
 }
 
-/// One watch is mostly enough to see that values are wrong, and the others would find the same.
-gap::GapFinding found_by_datasheet(const std::vector<BoardFrame>& frames, double rate_hz,
+/// One watch of a part is mostly enough to see that values are wrong, and the others would find the same.
+gap::GapFinding found_by_datasheet(std::span<const BoardFrame> frames, double rate_hz,
                                    const MachineParameters& datasheet, const BoardSight& sight,
                                    gap::GapSettings& settings) {
   if (sight.verdict == Verdict::kParameterError) {
     gap::GapSettings of_one = settings;
-    const gap::GapFinding found = found_by(1, frames, rate_hz, datasheet, sight, of_one);
+    const gap::GapFinding found =
+        found_by(1, frames.first(frames.size() / 4), rate_hz, datasheet, sight, of_one);
     if (found.verdict >= GapVerdict::kParameterError) return found;
   }
   return found_on_board(frames, rate_hz, datasheet, sight, settings);
@@ -198,7 +200,7 @@ bool take_away(Effect effect, gap::GapSettings& settings) {
   return true;
 }
 
-gap::GapFinding found_by_refitted(const std::vector<BoardFrame>& frames, double rate_hz,
+gap::GapFinding found_by_refitted(std::span<const BoardFrame> frames, double rate_hz,
                                   const MachineParameters& machine, const BoardSight& sight,
                                   gap::GapSettings& settings) {
   gap::GapFinding found = found_on_board(frames, rate_hz, machine, sight, settings);
@@ -212,7 +214,7 @@ gap::GapFinding found_by_refitted(const std::vector<BoardFrame>& frames, double 
 }
 
 /// Takes what is found there if it is an effect.
-void look_beside_effects(const std::vector<BoardFrame>& frames, double rate_hz, const FittedValues& fitted,
+void look_beside_effects(std::span<const BoardFrame> frames, double rate_hz, const FittedValues& fitted,
                          const BoardSight& sight, gap::GapSettings& settings, gap::GapFinding& found) {
   gap::GapSettings other = settings;
   const gap::GapFinding beside = found_by_refitted(frames, rate_hz, fitted.beside_effects, sight, other);

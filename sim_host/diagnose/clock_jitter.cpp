@@ -7,6 +7,7 @@
 
 #include "lib/plant/dynamics.hpp"
 #include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/repeated_logarithm.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -41,6 +42,7 @@ struct Residuals {
   std::vector<Bin> bin = std::vector<Bin>(kBins);
   double count = 0.0;
   double log_variance = 0.0;  ///< sum, as the observer expects it
+  RepeatedLogarithm log{};
 
   void add(double value, double rate, double variance) {
     const double growth = rate * rate / variance;
@@ -51,7 +53,7 @@ struct Residuals {
     here.squares += value * value / variance;
     here.growth += growth;
     count += 1.0;
-    log_variance += std::log(variance);
+    log_variance += log(variance);
   }
 };
 

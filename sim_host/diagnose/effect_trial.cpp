@@ -38,15 +38,15 @@ AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const Axi
   std::vector<AxisFit> trials{fit};
   if (is_astray) trials.push_back(at_datasheet(fit));
   in_parallel(trials.size(), [&](std::size_t i) {
-    trials[i].model().effects.push_back(beginning_of(candidate));
+    trials[i].change_model().effects.push_back(beginning_of(candidate));
     trials[i].settle_roughly(kDuelRounds, without);
   });
   AxisFit best =
       trials.back().unlikeliness() < trials.front().unlikeliness() ? trials.back() : trials.front();
   if (without.in_part - best.unlikeliness() > kKept * candidate.evidence) return best;
   AxisFit trusting = at_datasheet(fit);
-  trusting.model().effects.push_back(beginning_of(candidate));
-  expect_process_noise(kTrustingNoiseShare, trusting.model().noise);
+  trusting.change_model().effects.push_back(beginning_of(candidate));
+  expect_process_noise(kTrustingNoiseShare, trusting.change_model().noise);
   trusting.settle_roughly(kDuelRounds, without);
   return trusting.unlikeliness() < best.unlikeliness() ? trusting : best;
 }
@@ -80,7 +80,7 @@ bool is_bent(const AxisFit& fit) {
 
 AxisFit at_datasheet(const AxisFit& fit) {
   AxisFit anew(fit.axis(), fit.signals(), fit.datasheet());
-  anew.model().effects = fit.model().effects;
+  anew.change_model().effects = fit.model().effects;
   return anew;
 }
 

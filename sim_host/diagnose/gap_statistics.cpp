@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "sim_host/diagnose/repeated_logarithm.hpp"
+
 namespace morepro::host {
 namespace {
 
@@ -81,7 +83,7 @@ class Collector {
     statistics_.normalised[sensor].push_back(static_cast<float>(innovation.value / deviation));
     statistics_.in_contact[sensor].push_back(innovation.in_contact);
     statistics_.row[sensor].push_back(static_cast<std::uint32_t>(innovation.row));
-    statistics_.log_variance[sensor] += log_of(innovation.variance, last_[sensor]);
+    statistics_.log_variance[sensor] += log_[sensor](innovation.variance);
     const std::size_t block = innovation.row / rows_per_block_;
     if (block != block_) flush();
     block_ = block;
@@ -96,16 +98,6 @@ class Collector {
   }
 
  private:
-  /// Mostly the observer has settled.
-  struct Logarithm {
-    double of = 1.0;
-    double value = 0.0;
-  };
-  static double log_of(double variance, Logarithm& last) {
-    if (variance != last.of) last = {variance, std::log(variance)};
-    return last.value;
-  }
-
   void flush(std::size_t sensor) {
     const auto rows = rows_[sensor].take(whitening_[sensor], batch_);
     if (rows.rows() == 0) return;
@@ -159,7 +151,7 @@ class Collector {
   std::size_t block_ = 0;
   std::array<SensorRows, kSensorsPerAxis> rows_;
   std::array<std::size_t, kSensorsPerAxis> settled_{};  ///< rows of this stretch
-  std::array<Logarithm, kSensorsPerAxis> last_{};
+  std::array<RepeatedLogarithm, kSensorsPerAxis> log_{};
 };
 
 }  // namespace
@@ -201,9 +193,8 @@ GapStatistics collect(Axis axis, const RecordingSignals& signals, std::span<cons
   return statistics;
 }
 
-double unlikeliness_of(const GapStatistics& statistics) {
+double unlikeliness_of(const GapStatistics& statistics, const Whitening& whitening) {
   double sum = 0.0;
-  const Whitening whitening = whitening_of(statistics);
   for (std::size_t i = 0; i < kSensorsPerAxis; ++i) {
     const auto& normalised = statistics.normalised[i];
     const auto is_finite = [](float value) { return std::isfinite(value); };

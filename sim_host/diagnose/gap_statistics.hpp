@@ -47,11 +47,11 @@ GapStatistics collect(Axis axis, const RecordingSignals& signals, std::span<cons
                       const GapModel& model, const Disturbances& disturbances, const Whitening& whitening,
                       double block_s, Moments moments = Moments::kAll);
 
-/// Twice the negative logarithm of the likelihood of a pass, with the whitening that fits it best: what
-/// models of different noise are compared by. Smaller is better.
-double unlikeliness_of(const GapStatistics& statistics);
-
 /// The whitening that fits what a pass has left.
 Whitening whitening_of(const GapStatistics& statistics);
+
+/// Twice the negative logarithm of the likelihood of a pass, with the whitening that fits it: what models of
+/// different noise are compared by. Smaller is better.
+double unlikeliness_of(const GapStatistics& statistics, const Whitening& fitting);
 
 }  // namespace morepro::host

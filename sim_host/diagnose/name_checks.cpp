@@ -50,7 +50,7 @@ void drop(AxisDiagnosis& diagnosis, const std::vector<char>& is_dropped) {
     diagnosis.fit = diagnosis.nominal;
     return;
   }
-  auto& effects = diagnosis.fit.model().effects;
+  auto& effects = diagnosis.fit.change_model().effects;
   effects.clear();
   for (const Finding& finding : diagnosis.found) effects.push_back(finding.effect);
   diagnosis.fit.settle();
@@ -60,7 +60,7 @@ void drop(AxisDiagnosis& diagnosis, const std::vector<char>& is_dropped) {
 AxisFit without(const AxisDiagnosis& diagnosis, std::size_t index) {
   if (diagnosis.found.size() == 1) return diagnosis.nominal;
   AxisFit fit = diagnosis.fit;
-  auto& effects = fit.model().effects;
+  auto& effects = fit.change_model().effects;
   effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(index));
   return fit;
 }
@@ -174,7 +174,8 @@ bool is_lasting_noise(const AxisFit& fit, const Leftover& leftover) {
   if (leftover.functions.empty() || !leftover.lines.empty() || taken >= kMuch * rows) return false;
   if (fit.signals().is_thinned) return false;
   std::array<AxisFit, 2> fits{fit, fit};
-  for (const gap::EffectForm& form : leftover.functions) fits[1].model().effects.push_back({.form = form});
+  for (const gap::EffectForm& form : leftover.functions)
+    fits[1].change_model().effects.push_back({.form = form});
   std::array<double, 2> deviance{};
   in_parallel(fits.size(), [&](std::size_t i) { deviance[i] = fits[i].refit_beside_lasting_noise(); });
   const double left = deviance[0] - deviance[1];

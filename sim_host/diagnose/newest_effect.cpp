@@ -29,7 +29,7 @@ bool take_likelier(AxisFit& trial, const std::array<Value, kCount>& values, Vary
   for (const Value value : values) {
     for (;;) {
       AxisFit other = trial;
-      if (!vary(other.model().effects.back(), value)) break;
+      if (!vary(other.change_model().effects.back(), value)) break;
       other.refit();
       if (!(other.unlikeliness() < trial.unlikeliness() - kSharper)) break;
       trial = std::move(other);
@@ -161,12 +161,12 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
            is_hidden_bend(fit.model(), index);
   };
   AxisFit other = trial;
-  gap::EffectForm& form = other.model().effects[index].form;
+  gap::EffectForm& form = other.change_model().effects[index].form;
   const double price = std::log(static_cast<double>(trial.signals().rows) + 2.0);
   const bool is_bent = form.parts > 1;
   const auto gain = [&] { return trial.unlikeliness() - other.unlikeliness(); };
   form.parts = is_bent ? 1 : 2;
-  other.model().effects[index].coefficient[1] = 0.0;
+  other.change_model().effects[index].coefficient[1] = 0.0;
   other.refit();
   // With its own noise a bend gains more, but not twice as much.
   if (!is_bent && gain() < 0.5 * price) return;
@@ -180,7 +180,7 @@ void sharpen_range_of_newest(AxisFit& trial) {
   constexpr float kAnyRange = 3.0F;  // share of the shape that a linearisation shows
   AxisFit plain = trial;
   sharpen_newest(trial, kAnyRange);
-  gap::AppliedEffect& newest = plain.model().effects.back();
+  gap::AppliedEffect& newest = plain.change_model().effects.back();
   if (newest.form.parts == 1) return;
   newest.form.parts = 1;
   newest.coefficient[1] = 0.0;
@@ -197,7 +197,7 @@ void sharpen_range_of_newest(AxisFit& trial) {
 void tune_newest(AxisFit& trial) {
   AxisFit tuned = trial;
   tuned.narrow_down();
-  gap::EffectForm& form = tuned.model().effects.back().form;
+  gap::EffectForm& form = tuned.change_model().effects.back().form;
   if (tells_second_part(form.effect, trial.signals())) form.parts = 2;
   AxisFit quiet = tuned;
   quiet.expect_little_noise();
@@ -212,14 +212,14 @@ void tune_newest(AxisFit& trial) {
 
 void weigh_order_of_lags(AxisFit& trial) {
   AxisFit other = trial;
-  if (!exchange_lags(other.model())) return;
+  if (!exchange_lags(other.change_model())) return;
   other.settle(kRounds);
   if (other.unlikeliness() < trial.unlikeliness() - kSharper) trial = std::move(other);
 }
 
 void place_onset_of_newest(AxisFit& trial) {
   AxisFit late = trial;
-  double& onset_s = late.model().effects.back().onset_s;
+  double& onset_s = late.change_model().effects.back().onset_s;
   late.look_at_the_end(onset_s - kBeforeOnsetS);
   double best = late.unlikeliness_as_it_is();
   for (double step_s = 0.5 * kBlockS; step_s > 0.01 * kBlockS; step_s *= 0.5)
@@ -232,7 +232,7 @@ void place_onset_of_newest(AxisFit& trial) {
       else
         onset_s = before_s;
     }
-  trial.model().effects.back().onset_s = onset_s;
+  trial.change_model().effects.back().onset_s = onset_s;
   trial.refit();
 }
 

@@ -1,10 +1,12 @@
 #include "sim_host/diagnose/noise_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/repeated_logarithm.hpp"
 
 namespace morepro::host {
 namespace {
@@ -21,11 +23,12 @@ double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& 
   length = std::min(length, std::max<std::size_t>(signals.rows / kStretches, 1));
   for (std::size_t i = 0; i < kStretches; ++i) {
     const std::size_t first = i * (signals.rows - length) / (kStretches - 1);
+    std::array<RepeatedLogarithm, kSensorsPerAxis> log;
     run_observer(axis, signals, model, first, first + length, [&](const Innovation& v) {
       if (v.row < first + kNoiseSettling) return;
       const double square = v.value * v.value / v.variance;
       // Beyond three deviations it grows like a heavy tail: outliers do not choose the noise.
-      sum += std::log(v.variance) + (square < 9.0 ? square : 9.0 + 9.0 * std::log(square / 9.0));
+      sum += log[v.sensor](v.variance) + (square < 9.0 ? square : 9.0 + 9.0 * std::log(square / 9.0));
     });
   }
   return sum;

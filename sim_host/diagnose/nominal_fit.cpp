@@ -43,6 +43,18 @@ bool leaves_white_noise(const AxisFit& fit) {
   return leaves_noise(fit, kNew, kAsExpected);
 }
 
+/// Not even process noise was needed: no other way ends in anything else.
+bool leaves_nothing(const AxisFit& fit) {
+  constexpr double kNew = 0.99;
+  constexpr double kAsExpected = 1.05;
+  gap::GapNoise<double> usual = fit.model().noise;
+  expect_process_noise(1.01 * kUsualNoiseShare, usual);  // give or take rounding
+  const gap::GapNoise<double>& noise = fit.model().noise;
+  const bool is_noise_usual = noise.speed_step <= usual.speed_step &&
+                              noise.current_step <= usual.current_step && noise.feed_step <= usual.feed_step;
+  return is_noise_usual && leaves_noise(fit, kNew, kAsExpected);
+}
+
 void noise_first(AxisFit& fit) {
   fit.settle();
   allow_little_noise(fit);
@@ -56,7 +68,7 @@ void parameters_first(AxisFit& fit) {
 }
 
 void one_step_first(AxisFit& fit, double noise) {
-  expect_process_noise(noise, fit.model().noise);
+  expect_process_noise(noise, fit.change_model().noise);
   fit.refit();
   fit.settle();
   allow_little_noise(fit);
@@ -81,7 +93,7 @@ void begin_with_one_step(const AxisFit& start, AxisFit& best, AxisFit& other) {
 }
 
 AxisFit with_model_of(const AxisFit& other, AxisFit fit) {
-  fit.model() = other.model();
+  fit.change_model() = other.model();
   fit.set_whitening(other.whitening());
   return fit;
 }
@@ -96,10 +108,15 @@ bool leaves_noise(const AxisFit& fit) {
 
 std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   AxisFit best = start;
-  AxisFit other = start;
   best.narrow_down();
-  other.narrow_down();
-  in_parallel(2, [&](std::size_t i) { i == 0 ? noise_first(best) : parameters_first(other); });
+  AxisFit other = best;
+  noise_first(best);
+  if (leaves_nothing(best)) {
+    best.widen();
+    best.polish();
+    return {std::move(best)};
+  }
+  parameters_first(other);
   if (other.unlikeliness() < best.unlikeliness()) std::swap(best, other);
   if (!leaves_white_noise(best)) begin_with_one_step(start, best, other);
   const bool are_same = !(other.unlikeliness() - best.unlikeliness() > kSame);

@@ -246,15 +246,17 @@ bool FrameSource::sampled(Channel channel, double& value) const {
 gap::GapFrame<double> FrameSource::next() {
   gap::GapFrame<double> frame;
   missing_ = signals_.missing_rows > 0 && is_missing(signals_, row_) ? missing_ + 1 : 0;
-  sampled(Channel::kArmatureVoltage, input_.armature_voltage_v);
-  sampled(Channel::kFeedForce, input_.feed_force_n);
-  sampled(Channel::kContact, input_.contact);
-  sampled(Channel::kEngagement, input_.engagement);
-  sampled(Channel::kChipLoad, input_.chip_load_mm);
-  sampled(Channel::kToolTemperature, input_.tool_temperature_degc);
+  // In registers: what is stored number by number and read again at once, as a whole, has to wait.
+  PlantInput<double> input = input_;
+  sampled(Channel::kArmatureVoltage, input.armature_voltage_v);
+  sampled(Channel::kFeedForce, input.feed_force_n);
+  sampled(Channel::kContact, input.contact);
+  sampled(Channel::kEngagement, input.engagement);
+  sampled(Channel::kChipLoad, input.chip_load_mm);
+  sampled(Channel::kToolTemperature, input.tool_temperature_degc);
   sampled(Channel::kWindingTemperature, winding_degc_);
   frame.time_s = signals_.time_s(row_);
-  frame.input = input_;
+  frame.input = input_ = input;
   frame.winding_degc = winding_degc_;
   frame.cutting_time_s = cutting_time_s_;
   frame.has_speed = sampled(Channel::kSpindleSpeed, frame.speed_rad_s);

@@ -101,7 +101,7 @@ gap::Balance balance_of(const gap::EffectForm& form, const RecordingSignals& sig
 AxisDiagnosis with_functions(const AxisOutcome& outcome) {
   AxisDiagnosis diagnosis = outcome.diagnosis;
   for (const gap::EffectForm& form : outcome.leftover.functions) {
-    diagnosis.fit.model().effects.push_back({.form = form});
+    diagnosis.fit.change_model().effects.push_back({.form = form});
     diagnosis.found.push_back({.effect = {.form = form}, .rivals = {}});
   }
   diagnosis.fit.refit_with_this_noise();

@@ -156,7 +156,7 @@ std::vector<BalanceResult> balances_of(const AxisDiagnosis& diagnosis, const std
 std::optional<double> onset_of(const AxisDiagnosis& diagnosis, const gap::AppliedEffect& effect) {
   if (effect.onset_s > 0.0) return effect.onset_s;
   AxisFit without = diagnosis.fit;
-  std::erase_if(without.model().effects,
+  std::erase_if(without.change_model().effects,
                 [&effect](const gap::AppliedEffect& e) { return e.form.effect == effect.form.effect; });
   const GapStatistics statistics = without.collect_with(std::array{effect.form});
   const LateStart start = best_start(

@@ -60,7 +60,7 @@ double evidence_of_drifts(const AxisFit& without, const RecordingSignals& signal
       {.effect = Effect::kMagnetTemperatureDrift, .kind = 1, .parts = 1, .shape = 0.0F}};
   AxisFit fit(Axis::kSpindle, signals, without.datasheet());
   fit.narrow_down();
-  fit.model() = without.model();
+  fit.change_model() = without.model();
   fit.set_whitening(without.whitening());
   const auto ranked = rank_candidates(fit, fit.collect_with_each(drifts), drifts);
   return ranked.empty() ? -1.0e300 : ranked.front().evidence;

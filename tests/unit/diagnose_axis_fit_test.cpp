@@ -18,17 +18,18 @@ class Innovations : public testing::Test {
 
 TEST_F(Innovations, AreKeptUntilTheModelChanges) {
   const auto* const first = &fit_.innovations();
+  EXPECT_GT(fit_.model().machine.feed.mass_kg, 0.0);
   EXPECT_EQ(&fit_.innovations(), first);
   const AxisFit copy = fit_;
   EXPECT_EQ(&copy.innovations(), first);
   const std::vector<float> before = first->normalised[1];
-  fit_.model().machine.feed.mass_kg *= 1.5;
+  fit_.change_model().machine.feed.mass_kg *= 1.5;
   EXPECT_NE(fit_.innovations().normalised[1], before);
   EXPECT_EQ(copy.innovations().normalised[1], before);
 }
 
 TEST_F(Innovations, AreThoseOfTheFittedModel) {
-  fit_.model().machine.feed.mass_kg *= 1.5;
+  fit_.change_model().machine.feed.mass_kg *= 1.5;
   const std::vector<float> before = fit_.innovations().normalised[1];
   fit_.refit();
   EXPECT_NE(fit_.innovations().normalised[1], before);
@@ -36,7 +37,7 @@ TEST_F(Innovations, AreThoseOfTheFittedModel) {
 
 /// Whoever looks for the best value holds it while the model is asked how likely it is.
 TEST_F(Innovations, LikelihoodIsThatOfTheModelAsItStands) {
-  double& mass_kg = fit_.model().machine.feed.mass_kg;
+  double& mass_kg = fit_.change_model().machine.feed.mass_kg;
   const double right = fit_.unlikeliness_as_it_is();
   static_cast<void>(fit_.innovations());
   mass_kg *= 1.5;

@@ -69,7 +69,7 @@ TEST_F(Statistics, OfInnovationsAloneAreThoseWithColumns) {
   const GapStatistics all = collected({}, Moments::kAll);
   const GapStatistics alone = collected({}, Moments::kOfInnovations);
   EXPECT_EQ(all.normalised, alone.normalised);
-  EXPECT_EQ(unlikeliness_of(all), unlikeliness_of(alone));
+  EXPECT_EQ(unlikeliness_of(all, whitening_of(all)), unlikeliness_of(alone, whitening_of(alone)));
   const Eigen::MatrixXd total = all.total();
   ASSERT_EQ(alone.total().size(), 1);
   EXPECT_NEAR(alone.total()(0, 0), total.bottomRightCorner(1, 1)(0, 0), 1.0e-12 * total.maxCoeff());
