@@ -28,7 +28,6 @@ class ColumnSet {
   bool add(const EffectForm& form) {
     if (terms_ + form.parts > kMostTerms) return false;
     for (int part = 0; part < form.parts; ++part) {
-      term_is_sensor_[terms_] = is_in_sensor(form.effect);
       if constexpr (kTriesMany) together_.count(form.effect);
       term_[terms_++] = EffectTerm<Real, kDelaySteps>(form, part, step_s_);
     }
@@ -156,7 +155,6 @@ class ColumnSet {
   double step_s_;
   [[no_unique_address]] std::conditional_t<kTriesMany, Together, Nothing> together_;
   std::array<EffectTerm<Real, kDelaySteps>, kMostTerms> term_{};
-  std::array<bool, kMostTerms> term_is_sensor_{};
   std::array<Onset<Real>, kHasOnsets ? kMostTerms : 0> onset_{};
   std::array<AppliedTerm<Real, kDelaySteps>, kMostApplied> applied_term_{};
   std::array<bool, kMostApplied> applied_is_sensor_{};

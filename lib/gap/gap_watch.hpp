@@ -125,8 +125,10 @@ class GapWatch {
   static constexpr Real kSpread = Real(0.5);
   static constexpr Real kTurnRad = Real(6.2831853);
 
+  // Of any sign: values that were fitted without an effect may be of another one.
   static Real load_spread(const MachineParameters& machine) {
-    return kSpread * static_cast<Real>(machine.feed.contact_force_n + machine.feed.contact_offset_n);
+    return kSpread * (math::abs(static_cast<Real>(machine.feed.contact_force_n)) +
+                      math::abs(static_cast<Real>(machine.feed.contact_offset_n)));
   }
 
   static GapNoise<Real> noise_of(const GapNoise<double>& n) {

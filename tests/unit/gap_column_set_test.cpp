@@ -112,6 +112,31 @@ TEST(ColumnSet, AFunctionThatSetsInLateIsNothingBefore) {
   }
 }
 
+/// A constant voltage is one volt at once, and seen through a time constant from its first value on; the
+/// speed's is its share of the reference speed.
+TEST(ColumnSet, FunctionsWithoutANameActOnTheirBalance) {
+  const auto set = std::make_unique<Many>(reference_scales(), kStepS);
+  for (int i = 0; i < 20; ++i) {
+    const Effect effect = i % 2 == 0 ? Effect::kUnnamedVoltage : Effect::kUnnamedTorque;
+    ASSERT_TRUE(set->add({.effect = effect, .kind = 1, .parts = 1, .shape = i < 2 ? 0.0F : 0.01F}, 0.0));
+  }
+  EffectSignals<double> signals;
+  Contribution<double> plain;
+  Contribution<double> lagging;
+  for (int row = 0; row < 3; ++row) {
+    signals.speed_rad_s = row == 0 ? 0.0 : reference_scales().speed_rad_s;
+    set->for_each(signals, false, [&](std::size_t j, const auto& c) {
+      if (j == 0) plain = c;
+      if (j == 3) lagging = c;
+    });
+  }
+  EXPECT_EQ(plain.voltage_v, 1.0);
+  EXPECT_EQ(plain.torque_nm, 0.0);
+  EXPECT_EQ(lagging.voltage_v, 0.0);
+  // One and a half steps of 0.1 ms after a ramp of one step: 1 - exp(-1.5e-4 / 0.01), to first order.
+  EXPECT_NEAR(lagging.torque_nm, 0.0149, 1.0e-4);
+}
+
 TEST(ColumnSet, VisitsTermsOfOneSortOnly) {
   const auto set = std::make_unique<Few>(reference_scales(), kStepS);
   for (const Effect effect : {Effect::kSpindleWindage, Effect::kCurrentBias, Effect::kSupplyVoltageOffset})

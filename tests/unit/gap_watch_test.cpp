@@ -169,6 +169,15 @@ TEST(GapWatch, NamesNoCauseWithoutExcitation) {
   EXPECT_EQ(finding.alias_count, 0);
 }
 
+// Values that were fitted without an effect may be of another sign than the machine's.
+TEST(GapWatch, KnowsHowWellALoadIsKnownWhateverItsSign) {
+  MachineParameters believed = test::gap_configuration().machine;
+  believed.feed.contact_force_n = -believed.feed.contact_force_n;
+  believed.feed.contact_offset_n = 0.5;
+  const GapFinding finding = found({.duration_s = 24.0, .seed = 7}, believed);
+  EXPECT_EQ(finding.verdict, GapVerdict::kParameterError) << static_cast<int>(finding.verdict);
+}
+
 // Correlated loads that a stored noise does not know look like anything; one run in ten may still be named,
 // and none where the host has stored the noise that it found.
 TEST(GapWatch, IsWaryWhereTheNoiseIsNotTheOneItExpects) {
