@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "lib/gap/sample_watch.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 
 namespace morepro::host {
@@ -41,19 +42,44 @@ LostRows dropped(const std::vector<float>& column) {
   return lost;
 }
 
-/// Do two rows show the same on every sensor, on two of them at least that are finer than their noise? One
-/// alone may stand still, and a coarse one repeats itself by rounding.
-bool show_the_same(const RecordingSignals& signals, const Sensors& sensors, std::size_t row,
-                   std::size_t other) {
-  int same = 0;
+/// What two rows show of the sensors that are sampled in both: how many of those that are finer than their
+/// noise, and of the coarse ones, which repeat themselves by rounding; and do all of each sort show the same?
+struct Likeness {
+  int fine = 0;
+  int coarse = 0;
+  bool is_fine_same = true;
+  bool is_coarse_same = true;
+};
+
+bool is_finer_than_noise(const SensorNoise& sensor) { return sensor.lsb <= 0.2 * sensor.noise; }
+
+Likeness compare(const RecordingSignals& signals, const Sensors& sensors, std::size_t row,
+                 std::size_t other) {
+  Likeness likeness;
   for (const Channel channel : kNoisyChannels) {
     if (!signals.has(channel)) continue;
     const auto& column = signals.value[index_of(channel)];
     if (!(column[row] == column[row]) || !(column[other] == column[other])) continue;
-    if (column[row] != column[other]) return false;
-    if (sensors[channel].lsb <= 0.2 * sensors[channel].noise) ++same;
+    const bool is_fine = is_finer_than_noise(sensors[channel]);
+    ++(is_fine ? likeness.fine : likeness.coarse);
+    (is_fine ? likeness.is_fine_same : likeness.is_coarse_same) &= column[row] == column[other];
   }
-  return same >= 2;
+  return likeness;
+}
+
+/// Fine sensors that must show the same for a row to repeat another one. One alone may stand still; where
+/// there is no other, coarse ones may vouch for it.
+int fewest_fine(const RecordingSignals& signals, const Sensors& sensors) {
+  const auto is_fine = [&](Channel channel) {
+    return signals.has(channel) && is_finer_than_noise(sensors[channel]);
+  };
+  if (std::count_if(kNoisyChannels.begin(), kNoisyChannels.end(), is_fine) != 1) return 2;
+  gap::Vouching<double> vouching;
+  for (std::size_t row = 1; row < signals.rows; ++row) {
+    const Likeness now = compare(signals, sensors, row, row - 1);
+    if (now.fine == 1 && now.coarse > 0) vouching.see(now.is_fine_same, now.is_coarse_same);
+  }
+  return vouching.lost() > 0.0 ? 1 : 2;
 }
 
 /// The samples of a row that repeats the one before. Where its inputs do so, too, the whole row does.
@@ -75,12 +101,17 @@ void leave_out(RecordingSignals& signals, std::size_t row) {
 /// in steps are equal now and then, and then they are to those before the last one just as often.
 LostRows leave_out_repeated_rows(RecordingSignals& signals, const Sensors& sensors) {
   constexpr double kBeyondChance = 5.0;  // standard deviations, beyond twice what chance makes
+  const int fewest = fewest_fine(signals, sensors);
+  const auto show_the_same = [&](std::size_t row, std::size_t other) {
+    const Likeness both = compare(signals, sensors, row, other);
+    return both.is_fine_same && both.is_coarse_same && both.fine >= fewest;
+  };
   std::vector<std::size_t> repeated;
   std::size_t by_chance = 0;
   for (std::size_t row = 1; row < signals.rows; ++row) {
-    if (show_the_same(signals, sensors, row, row - 1))
+    if (show_the_same(row, row - 1))
       repeated.push_back(row);
-    else if (row >= 2 && show_the_same(signals, sensors, row, row - 2))
+    else if (row >= 2 && show_the_same(row, row - 2))
       ++by_chance;
   }
   const auto chance = static_cast<double>(by_chance);

@@ -186,6 +186,41 @@ TEST(SamplingChecks, TellLostRowsFromThoseThatChanceMakesEqual) {
   EXPECT_NEAR(fault->size, 1.0 / kLostEvery, 4.0e-4);
 }
 
+/// A fine sensor and a coarse one, whose steps are 1.75 of its noise: it is the same in two of five rows.
+RecordingSignals fine_and_coarse() {
+  RecordingSignals signals = two_stepped_sensors(20000);
+  for (float& value : signals.value[index_of(Channel::kArmatureCurrent)])
+    value = 17.5F * std::round(value / 17.5F);
+  auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
+  for (std::size_t row = 0; row < speed.size(); ++row) speed[row] += 0.3F * std::sin(static_cast<float>(row));
+  return signals;
+}
+
+Sensors fine_and_coarse_sensors() {
+  Sensors sensors = with_ten_steps_of_noise();
+  sensors[Channel::kArmatureCurrent].lsb = 17.5;
+  return sensors;
+}
+
+void repeat_every_100th(std::vector<float>& column) {
+  for (std::size_t row = 100; row < column.size(); row += 100) column[row] = column[row - 1];
+}
+
+TEST(SamplingChecks, TakeARowForLostWhereACoarseSensorVouchesForTheOnlyFineOne) {
+  RecordingSignals signals = fine_and_coarse();
+  repeat_every_100th(signals.value[index_of(Channel::kSpindleSpeed)]);
+  repeat_every_100th(signals.value[index_of(Channel::kArmatureCurrent)]);
+  const auto fault = find_dropout(signals, fine_and_coarse_sensors());
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_NEAR(fault->size, 0.01, 1.0e-3);
+}
+
+TEST(SamplingChecks, TakeNoRowForLostWhereTheOnlyFineSensorStandsStill) {
+  RecordingSignals signals = fine_and_coarse();
+  repeat_every_100th(signals.value[index_of(Channel::kSpindleSpeed)]);
+  EXPECT_FALSE(find_dropout(signals, fine_and_coarse_sensors()).has_value());
+}
+
 TEST(SamplingChecks, TakeNoRowForLostInWhichACoarseSensorChanges) {
   constexpr std::size_t kSameEvery = 100;
   RecordingSignals signals = two_stepped_sensors(80000);

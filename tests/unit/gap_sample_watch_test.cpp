@@ -30,8 +30,11 @@ double in_steps(double value, double step) { return step > 0.0 ? step * std::rou
 /// of.
 struct Samples {
   double speed_step_rad_s = 0.0;
-  double noise = 1.0;  ///< as a factor
+  double noise = 1.0;         ///< as a factor
+  double coarse_steps = 0.0;  ///< of current and feed speed, over their noise
   int repeated_every = 0;
+  int speed_repeated_every = 0;
+  int rest = 0;  ///< so many frames in the middle
   int lost_every = 0;
   int frames = 3000;
 };
@@ -48,9 +51,17 @@ void show(const Samples& samples, Watch& watch, unsigned seed = 1) {
     frame.has_speed = frame.has_current = frame.has_feed_speed = true;
     frame.speed_rad_s =
         static_cast<float>(in_steps(300.0 + samples.noise * normal(random), samples.speed_step_rad_s));
-    frame.current_a = static_cast<float>(5.0 + 0.05 * samples.noise * normal(random));
-    frame.feed_speed_m_s = static_cast<float>(0.02 + 0.002 * samples.noise * normal(random));
-    if (samples.repeated_every > 0 && i % samples.repeated_every == 0 && i > 0) frame = before;
+    const auto sampled = [&](double value, double noise) {
+      return static_cast<float>(
+          in_steps(value + noise * samples.noise * normal(random), samples.coarse_steps * noise));
+    };
+    frame.current_a = sampled(5.0, 0.05);
+    frame.feed_speed_m_s = sampled(0.02, 0.002);
+    const bool is_speed_repeated = samples.speed_repeated_every > 0 && i % samples.speed_repeated_every == 0;
+    if (is_speed_repeated && i > 0) frame.speed_rad_s = before.speed_rad_s;
+    const bool is_repeated = samples.repeated_every > 0 && i % samples.repeated_every == 0 && i > 0;
+    const int middle = samples.frames / 2;
+    if (is_repeated || (i >= middle && i < middle + samples.rest)) frame = before;
     if (i > 1) watch.see(frame, before, earlier);
     earlier = std::exchange(before, frame);
   }
@@ -143,6 +154,40 @@ TEST(SampleWatch, CountsLostFrames) {
 
 TEST(SampleWatch, AFrameThatShowsTheOneBeforeOnceMoreIsLost) {
   EXPECT_EQ(after({.repeated_every = 100}).effect, Effect::kSampleDropout);
+}
+
+constexpr gap::SampleLimits kOfCoarseSensors{.speed_step_rad_s = 1.5F, .lost_share = 0.001F};
+
+GapVerdict verdict_beside_coarse_sensors(Samples samples) {
+  samples.coarse_steps = 1.75;
+  samples.frames = 20000;
+  Watch watch(kOfCoarseSensors);
+  show(samples, watch);
+  return watch.finding().verdict;
+}
+
+TEST(SampleWatch, CoarseSensorsVouchForTheOnlyFineOne) {
+  EXPECT_EQ(verdict_beside_coarse_sensors({.repeated_every = 100}), GapVerdict::kEffect);
+  EXPECT_EQ(verdict_beside_coarse_sensors({}), GapVerdict::kNotEnoughData);
+  // It stands still by itself: of the coarse ones both are the same in one of six frames.
+  EXPECT_EQ(verdict_beside_coarse_sensors({.speed_repeated_every = 100}), GapVerdict::kNotEnoughData);
+  // All stand still for a while.
+  EXPECT_EQ(verdict_beside_coarse_sensors({.rest = 2000}), GapVerdict::kNotEnoughData);
+  // Where these rest they vouch for nothing.
+  Watch watch(kOfCoarseSensors);
+  show({.coarse_steps = 100.0, .repeated_every = 100, .frames = 20000}, watch);
+  EXPECT_EQ(watch.finding().verdict, GapVerdict::kNotEnoughData);
+}
+
+TEST(SampleWatch, WhatVouchesMerges) {
+  constexpr Samples kFewLost{.coarse_steps = 1.75, .repeated_every = 100, .frames = 1800};
+  Watch one(kOfCoarseSensors);
+  show(kFewLost, one);
+  Watch other(kOfCoarseSensors);
+  show(kFewLost, other, 2);
+  ASSERT_EQ(one.finding().verdict, GapVerdict::kNotEnoughData);
+  one.merge(other);
+  EXPECT_EQ(one.finding().effect, Effect::kSampleDropout);
 }
 
 /// Sensors that rest, or have coarse steps, are the same from frame to frame without anything lost.
