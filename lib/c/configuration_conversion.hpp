@@ -34,6 +34,7 @@ constexpr void copy_limits(const From& from, To& to) {
   to.temperature = from.temperature;
   to.excitation = from.excitation;
   to.noise_ratio = from.noise_ratio;
+  to.parameter_spread = from.parameter_spread;
 }
 
 template <class From, class To>

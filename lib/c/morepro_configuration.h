@@ -38,10 +38,12 @@ typedef struct morepro_form {
 
 /// What a host has found by simulating the machine without an effect in the same excitation.
 typedef struct morepro_gap_limits {
-  double evidence;     ///< > 0, that chance does not reach
-  double temperature;  ///< >= 1: how much more evidence chance makes than independent rows would
-  double excitation;   ///< > 0: how many times better than its datasheet each parameter must be known
-  double noise_ratio;  ///< > 0: residual power of the machine without a gap over that of expected noise
+  double evidence;          ///< > 0, that chance does not reach
+  double temperature;       ///< >= 1: how much more evidence chance makes than independent rows would
+  double excitation;        ///< > 0: how many times better than its datasheet each parameter must be known
+  double noise_ratio;       ///< > 0: residual power of the machine without a gap over that of expected noise
+  double parameter_spread;  ///< > 0: how far the machine's values may be off, as a standard deviation;
+                            ///< relative
   struct {
     morepro_form form[MOREPRO_MOST_FORMS];  ///< those behind `count` mean nothing
     uint32_t count;

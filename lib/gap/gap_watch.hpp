@@ -38,9 +38,9 @@ class GapWatch {
   [[gnu::cold]] GapWatch(const MachineParameters& machine, const ReferencePoint& point, double step_s,
                          const GapSettings& settings)
       : spindle_(machine, point, step_s, noise_of(settings.noise), kSpindleForms,
-                 {kSpread, kSpread, kSpread, kSpread, kSpread, kSpread}, settings.spindle),
+                 {Real(1), Real(1), Real(1), Real(1), Real(1), Real(1)}, settings.spindle),
         feed_(machine, point, step_s, noise_of(settings.noise), kFeedForms,
-              {kSpread, kSpread, load_spread(machine), load_spread(machine)}, settings.feed),
+              {Real(1), Real(1), load(machine), load(machine)}, settings.feed),
         samples_(settings.samples),
         known_jitter_(square(static_cast<Real>(settings.samples.clock_jitter_s) / static_cast<Real>(step_s))),
         step_s_(static_cast<Real>(step_s)) {}
@@ -121,14 +121,12 @@ class GapWatch {
   // The rest is of random length, or a machine that repeats itself would show the same moment of its cycle
   // again and again.
   static constexpr unsigned kRandomRestBits = 12;
-  // How far a datasheet may be off, as a standard deviation.
-  static constexpr Real kSpread = Real(0.5);
   static constexpr Real kTurnRad = Real(6.2831853);
 
   // Of any sign: values that were fitted without an effect may be of another one.
-  static Real load_spread(const MachineParameters& machine) {
-    return kSpread * (math::abs(static_cast<Real>(machine.feed.contact_force_n)) +
-                      math::abs(static_cast<Real>(machine.feed.contact_offset_n)));
+  static Real load(const MachineParameters& machine) {
+    return math::abs(static_cast<Real>(machine.feed.contact_force_n)) +
+           math::abs(static_cast<Real>(machine.feed.contact_offset_n));
   }
 
   static GapNoise<Real> noise_of(const GapNoise<double>& n) {

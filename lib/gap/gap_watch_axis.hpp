@@ -30,11 +30,11 @@ class GapWatchAxis {
   /// hundred times a float's last bit.
   static constexpr std::size_t kMostRows = 65536;
 
-  /// `spread`: standard deviation of each parameter column, as well as the datasheet knows it.
+  /// `value`: of each parameter in the unit of its column, without its sign; 0: not one of this machine.
   [[gnu::cold]] GapWatchAxis(const MachineParameters& machine, const ReferencePoint& point, double step_s,
                              const GapNoise<Real>& noise, const std::array<BoardForm, kForms>& forms,
-                             const std::array<Real, kParameters>& spread, const GapLimits& limits)
-      : observer_(machine, point, step_s, noise), evaluation_(spread, limits) {
+                             const std::array<Real, kParameters>& value, const GapLimits& limits)
+      : observer_(machine, point, step_s, noise), evaluation_(value, limits) {
     for (const BoardForm& form : forms)
       if (is_candidate(form.effect, machine) && !limits.forms.has(form.effect)) add(form.at(step_s));
     for (std::size_t i = 0; i < limits.forms.count; ++i) add(limits.forms.form[i]);

@@ -17,14 +17,16 @@ class GapWatchEvaluation {
  public:
   using Statistics = SquareRootStatistics<Real, kColumns>;
 
-  /// `spread`: standard deviation of each parameter column, as well as the datasheet knows it; 0: not a
-  /// parameter of this machine.
-  GapWatchEvaluation(const std::array<Real, kParameters>& spread, const GapLimits& limits)
-      : spread_(spread),
-        threshold_(static_cast<Real>(limits.evidence)),
+  /// `value`: of each parameter in the unit of its column, without its sign; 0: not a parameter of this
+  /// machine.
+  GapWatchEvaluation(const std::array<Real, kParameters>& value, const GapLimits& limits)
+      : threshold_(static_cast<Real>(limits.evidence)),
         temperature_(static_cast<Real>(limits.temperature)),
         least_excitation_(static_cast<Real>(limits.excitation)),
-        noise_ratio_(static_cast<Real>(limits.noise_ratio)) {}
+        noise_ratio_(static_cast<Real>(limits.noise_ratio)) {
+    for (std::size_t j = 0; j < kParameters; ++j)
+      expect(j, value[j], static_cast<Real>(limits.parameter_spread) * value[j]);
+  }
 
   /// The next form in the order of the columns; at most kForms.
   void add(const EffectForm& form) { forms_[form_count_++] = form; }
@@ -91,16 +93,23 @@ class GapWatchEvaluation {
     return rows() * math::log(before / std::max(after, Real(1.0e-6) * before)) - freedom * math::log(rows());
   }
 
+  [[gnu::noinline, gnu::cold]] void expect(std::size_t j, Real value, Real spread) {
+    constexpr auto kLeast = Real(1.0e-12);  // its inverse has a square in a float
+    datasheet_spread_[j] = static_cast<Real>(kDatasheetSpread) * value;
+    precision_[j] = spread > Real(0) ? Real(1) / std::max(spread, kLeast) : Real(0);
+  }
+
   // A column that has never moved cannot be mistaken for anything.
   [[nodiscard]] Real least_excitation() const {
     Real least = Real(1.0e30);
     for (std::size_t j = 0; j < kParameters; ++j)
-      if (statistics_.left(j, j, 0) > Real(0)) least = std::min(least, spread_[j] * statistics_.factor(j, j));
+      if (statistics_.left(j, j, 0) > Real(0))
+        least = std::min(least, datasheet_spread_[j] * statistics_.factor(j, j));
     return least;
   }
 
   void expect_parameter(std::size_t j) {
-    if (spread_[j] > Real(0)) prior_ = Statistics::expectation(j, Real(1) / spread_[j]);
+    if (precision_[j] > Real(0)) prior_ = Statistics::expectation(j, precision_[j]);
   }
 
   /// One row of them: a board without a fast memcpy takes long for all.
@@ -225,7 +234,8 @@ class GapWatchEvaluation {
 
   std::array<EffectForm, kForms> forms_{};
   std::size_t form_count_ = 0;
-  std::array<Real, kParameters> spread_;
+  std::array<Real, kParameters> datasheet_spread_{};  ///< of the parameters, in the unit of their columns
+  std::array<Real, kParameters> precision_{};  ///< inverse of how far they may be off; 0: not a parameter
   Real threshold_;
   Real temperature_;
   Real least_excitation_;

@@ -61,12 +61,18 @@ struct MachineForms {
   }
 };
 
+/// How far a datasheet may be off, as a standard deviation; relative.
+inline constexpr double kDatasheetSpread = 0.5;
+
 /// What a host has found by simulating the machine without an effect in the same excitation; stored.
 struct GapLimits {
   double evidence = 25.0;    ///< > 0, that chance does not reach
   double temperature = 1.0;  ///< >= 1: how much more evidence chance makes than independent rows would
   double excitation = 5.0;   ///< > 0: how many times better than its datasheet each parameter must be known
   double noise_ratio = 1.0;  ///< > 0: residual power of the machine without a gap over that of expected noise
+  /// > 0: how far the machine file's values may be off, as a standard deviation; relative. An effect that
+  /// other values explain within that is none.
+  double parameter_spread = kDatasheetSpread;
   MachineForms forms{};
 };
 

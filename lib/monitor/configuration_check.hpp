@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "lib/gap/board_forms.hpp"
 #include "lib/monitor/configuration_error.hpp"
@@ -23,9 +24,8 @@ inline constexpr double kSmallest = 1.0e-12;
 inline constexpr double kLargest = 1.0e9;
 inline constexpr double kLargestNoise = 1.0e5;
 
-template <std::size_t kSize>
-ConfigurationResult check_all(const std::array<CheckedValue, kSize>& values, bool zero_allowed,
-                              double largest = kLargest) {
+[[gnu::cold]] inline ConfigurationResult check_all(std::span<const CheckedValue> values, bool zero_allowed,
+                                                   double largest = kLargest) {
   for (const auto& [value, key] : values) {
     if (!is_finite(value)) return {ConfigurationError::kNotFinite, key};
     if (zero_allowed && !(value >= 0.0)) return {ConfigurationError::kNegative, key};
@@ -59,9 +59,11 @@ ConfigurationResult check_all(const std::array<CheckedValue, kSize>& values, boo
                        {c.gap.spindle.evidence, "gap.spindle_evidence"},
                        {c.gap.spindle.excitation, "gap.spindle_excitation"},
                        {c.gap.spindle.noise_ratio, "gap.spindle_noise_ratio"},
+                       {c.gap.spindle.parameter_spread, "gap.spindle_parameter_spread"},
                        {c.gap.feed.evidence, "gap.feed_evidence"},
                        {c.gap.feed.excitation, "gap.feed_excitation"},
                        {c.gap.feed.noise_ratio, "gap.feed_noise_ratio"},
+                       {c.gap.feed.parameter_spread, "gap.feed_parameter_spread"},
                    }),
                    false);
 }

@@ -7,13 +7,16 @@ namespace morepro::wire {
 
 /// First byte of the payload. Another version is refused: a stored configuration is never read as something
 /// else. To be raised with every change of the lists below.
-inline constexpr std::uint8_t kConfigurationLayout = 6;
+inline constexpr std::uint8_t kConfigurationLayout = 7;
 
 template <>
 inline constexpr auto kFields<MachineParameters::Spindle> = std::tuple{
-    &MachineParameters::Spindle::torque_constant_nm_a, &MachineParameters::Spindle::back_emf_constant_vs_rad,
-    &MachineParameters::Spindle::resistance_ohm,       &MachineParameters::Spindle::inductance_h,
-    &MachineParameters::Spindle::inertia_kgm2,         &MachineParameters::Spindle::viscous_friction_nms_rad,
+    &MachineParameters::Spindle::torque_constant_nm_a,
+    &MachineParameters::Spindle::back_emf_constant_vs_rad,
+    &MachineParameters::Spindle::resistance_ohm,
+    &MachineParameters::Spindle::inductance_h,
+    &MachineParameters::Spindle::inertia_kgm2,
+    &MachineParameters::Spindle::viscous_friction_nms_rad,
     &MachineParameters::Spindle::winding_time_constant_s,
     &MachineParameters::Spindle::winding_rise_k_a2,
 };
@@ -99,8 +102,8 @@ inline constexpr auto kFields<gap::MachineForms> =
 
 template <>
 inline constexpr auto kFields<gap::GapLimits> = std::tuple{
-    &gap::GapLimits::evidence,    &gap::GapLimits::temperature, &gap::GapLimits::excitation,
-    &gap::GapLimits::noise_ratio, &gap::GapLimits::forms,
+    &gap::GapLimits::evidence,    &gap::GapLimits::temperature,      &gap::GapLimits::excitation,
+    &gap::GapLimits::noise_ratio, &gap::GapLimits::parameter_spread, &gap::GapLimits::forms,
 };
 
 template <>

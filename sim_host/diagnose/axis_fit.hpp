@@ -189,8 +189,6 @@ class AxisFit {
 
 /// Of the spindle's parameters those of the torque balance; the others are the voltage balance's.
 inline constexpr Eigen::Index kTorqueParameters = 3;
-/// How far a datasheet may be off, as a standard deviation; relative.
-inline constexpr double kDatasheetSpread = 0.5;
 inline constexpr double kBlockS = 0.25;
 /// A parameter that the recording leaves uncertain by this share was not found in it.
 inline constexpr double kTold = 0.1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/gap/gap_watch_finding.hpp"
 #include "sim_host/diagnose/axis_fit.hpp"
 #include "sim_host/diagnose/size_columns.hpp"
 
@@ -16,7 +17,7 @@ constexpr double kNotFitted = 1.0e24;  // precision of what the recording tells 
 Eigen::VectorXd AxisFit::precision(Eigen::Index width) const {
   Eigen::VectorXd precision = Eigen::VectorXd::Zero(width);
   const auto count = static_cast<Eigen::Index>(parameter_count(axis_));
-  precision.head(count).setConstant(1.0 / (kDatasheetSpread * kDatasheetSpread));
+  precision.head(count).setConstant(1.0 / (gap::kDatasheetSpread * gap::kDatasheetSpread));
   if (axis_ == Axis::kSpindle && signals_->is_current_driven)
     precision.segment(kTorqueParameters, count - kTorqueParameters).setConstant(kNotFitted);
   if (axis_ == Axis::kFeed) {

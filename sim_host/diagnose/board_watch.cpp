@@ -217,6 +217,8 @@ gap::GapFinding found_by_refitted(std::span<const BoardFrame> frames, double rat
 void look_beside_effects(std::span<const BoardFrame> frames, double rate_hz, const FittedValues& fitted,
                          const BoardSight& sight, gap::GapSettings& settings, gap::GapFinding& found) {
   gap::GapSettings other = settings;
+  other.spindle.parameter_spread = fitted.spindle_spread;
+  other.feed.parameter_spread = fitted.feed_spread;
   const gap::GapFinding beside = found_by_refitted(frames, rate_hz, fitted.beside_effects, sight, other);
   if (beside.verdict != GapVerdict::kEffect) return;
   found = beside;

@@ -24,6 +24,8 @@ struct BoardSight {
 struct FittedValues {
   MachineParameters without_effects;
   MachineParameters beside_effects;
+  double spindle_spread = gap::kDatasheetSpread;  ///< of the latter ones, as a standard deviation; relative
+  double feed_spread = gap::kDatasheetSpread;
 };
 
 /// What the board's own watch, in float, says about a recording of this machine with these settings. It looks

@@ -1,6 +1,7 @@
 #include "sim_host/diagnose/fitted_machine.hpp"
 
 #include "lib/gap/effect_size.hpp"
+#include "sim_host/diagnose/parameter_report.hpp"
 #include "sim_host/diagnose/winding_heat.hpp"
 
 namespace morepro::host {
@@ -35,10 +36,12 @@ void take_heat(const WindingHeat& heat, MachineParameters::Spindle& spindle) {
 }  // namespace
 
 FittedValues fitted_values(const MachineParameters& datasheet, std::span<const AxisOutcome> outcomes) {
-  FittedValues fitted{datasheet, datasheet};
+  FittedValues fitted{.without_effects = datasheet, .beside_effects = datasheet};
   for (const AxisOutcome& outcome : outcomes) {
     take_values(outcome.diagnosis.nominal, fitted.without_effects);
-    take_values(outcome.diagnosis.fit, fitted.beside_effects);
+    const AxisFit& fit = outcome.diagnosis.fit;
+    take_values(fit, fitted.beside_effects);
+    (fit.axis() == Axis::kSpindle ? fitted.spindle_spread : fitted.feed_spread) = spread_of(fit);
   }
   return fitted;
 }

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+
+#include "lib/gap/gap_watch_finding.hpp"
 
 namespace morepro::host {
 namespace {
@@ -57,7 +61,7 @@ bool is_unseen(const AxisFit& fit, std::size_t index) {
 }
 
 double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
-  if (is_unseen(fit, index)) return kDatasheetSpread * std::fabs(refit);
+  if (is_unseen(fit, index)) return gap::kDatasheetSpread * std::fabs(refit);
   if (static_cast<Eigen::Index>(index) >= fit.standard_error().size()) return 0.0;
   const bool is_load = fit.axis() == Axis::kFeed && index == 2;
   if (is_load) return fit.standard_error()(fit.tells_engaged_load() ? 3 : 2);
@@ -91,6 +95,18 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
     results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told, reason});
   }
   return results;
+}
+
+double spread_of(const AxisFit& fit) {
+  constexpr double kDrift = 0.005;
+  double sum = 0.0;
+  const auto all = named(fit);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double value = std::fabs(all[i].refit);
+    const double error = value > 0.0 ? standard_error_of(fit, i, value) / value : gap::kDatasheetSpread;
+    sum += std::log(std::clamp(error, std::numeric_limits<double>::min(), gap::kDatasheetSpread));
+  }
+  return std::max(kDrift, std::exp(sum / static_cast<double>(all.size())));
 }
 
 bool is_excited(const AxisFit& fit) {

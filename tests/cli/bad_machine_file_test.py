@@ -57,10 +57,12 @@ spindle_evidence = 25
 spindle_temperature = 1
 spindle_excitation = 5
 spindle_noise_ratio = 1.5
+spindle_parameter_spread = 0.01
 feed_evidence = 30
 feed_temperature = 1.5
 feed_excitation = 6
 feed_noise_ratio = 1.2
+feed_parameter_spread = 0.3
 [bank]
 hypotheses = 8
 first_hypothesis_mm = 0.03
@@ -78,8 +80,8 @@ hold_s = 0.1
 datasheet_tolerance = 0.05
 """
 GAP_NOISE = ["speed_process_noise_rad_s", "current_process_noise_a", "feed_process_noise_m_s", "lost_share", "clock_jitter_s"]
-GAP_POSITIVE = ["spindle_evidence", "spindle_excitation", "spindle_noise_ratio", "feed_evidence", "feed_excitation",
-                "feed_noise_ratio"]
+GAP_POSITIVE = ["spindle_evidence", "spindle_excitation", "spindle_noise_ratio", "spindle_parameter_spread",
+                "feed_evidence", "feed_excitation", "feed_noise_ratio", "feed_parameter_spread"]
 GAP_TEMPERATURES = ["spindle_temperature", "feed_temperature"]
 GAP = GAP_NOISE + GAP_POSITIVE + GAP_TEMPERATURES
 BANK = ["hypotheses", "first_hypothesis_mm", "hypothesis_step_mm"]

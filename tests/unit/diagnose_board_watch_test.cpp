@@ -61,6 +61,28 @@ TEST(BoardWatch, LooksBesideTheEffectWhereItHasBentTheValues) {
   EXPECT_EQ(found({bent, right}).effect, Effect::kFeedForceOffset);
 }
 
+/// Of a spindle that never stops windage is more friction, unless its values are known.
+TEST(BoardWatch, TellsAnEffectFromOtherValuesAsWellAsTheHostKnowsThem) {
+  const RecordingSignals signals = record({.effects = {effect(Effect::kSpindleWindage, 2.0e-7)},
+                                           .duration_s = 6.0,
+                                           .profile = host::ProfileKind::kProduction});
+  const MachineDescription machine = datasheet(0.0);
+  const MachineParameters& right = machine.configuration.machine;
+  const host::BoardSight sight{
+      .verdict = host::Verdict::kEffect, .causes = {Effect::kSpindleWindage}, .is_excited = true};
+  gap::GapSettings settings;
+  const auto verdict_beside = [&](double spread) {
+    settings = settings_with_noise(0.01);
+    const host::FittedValues fitted{
+        .without_effects = right, .beside_effects = right, .spindle_spread = spread};
+    return host::watch_on_board(signals, machine, fitted, sight, settings).verdict;
+  };
+  EXPECT_EQ(verdict_beside(gap::kDatasheetSpread), gap::GapVerdict::kParameterError);
+  EXPECT_EQ(verdict_beside(0.005), gap::GapVerdict::kEffect);
+  EXPECT_EQ(settings.spindle.parameter_spread, 0.005);
+  EXPECT_EQ(host::tuning_for_board(settings, {}, 1.0).spindle.parameter_spread, 0.005);
+}
+
 /// What noise may be worth is an estimate, and the host sees more.
 TEST(BoardWatch, HearsOfACauseThatTheHostIsSureOf) {
   const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 0.1)}});

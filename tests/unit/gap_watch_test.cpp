@@ -198,6 +198,24 @@ TEST(GapWatch, TakesForNoiseWhatTheHostHasSeenAsNoise) {
   EXPECT_EQ(found(run, machine, settings).verdict, GapVerdict::kNoGap);
 }
 
+/// A spindle that a production never stops: windage and more friction look the same to it.
+GapFinding found_at_one_speed(double parameter_spread) {
+  GapSettings settings = test::gap_settings();
+  settings.spindle.excitation = 0.001;
+  settings.spindle.parameter_spread = parameter_spread;
+  return found({.effects = {test::gap_effect(Effect::kSpindleWindage, 2.0e-7)},
+                .profile = host::ProfileKind::kProduction,
+                .duration_s = 24.0},
+               test::gap_configuration().machine, settings);
+}
+
+TEST(GapWatch, TellsAnEffectFromOtherValuesWhereItKnowsThem) {
+  EXPECT_EQ(found_at_one_speed(kDatasheetSpread).verdict, GapVerdict::kParameterError);
+  const GapFinding known = found_at_one_speed(0.005);
+  EXPECT_EQ(known.verdict, GapVerdict::kEffect);
+  EXPECT_TRUE(is_named(known, Effect::kSpindleWindage)) << name(known.effect);
+}
+
 TEST(GapWatch, SaysNothingBeforeItHasSeenEnough) {
   EXPECT_EQ(found({.duration_s = 0.5}).verdict, GapVerdict::kNotEnoughData);
 }

@@ -284,6 +284,8 @@ TEST(MonitorGap, RefusesImpossibleSettings) {
   EXPECT_EQ(refusal([](GapTuning& g) { g.feed.excitation = 0.0; }), "gap.feed_excitation");
   EXPECT_EQ(refusal([](GapTuning& g) { g.spindle.noise_ratio = 0.0; }), "gap.spindle_noise_ratio");
   EXPECT_EQ(refusal([](GapTuning& g) { g.feed.noise_ratio = -1.0; }), "gap.feed_noise_ratio");
+  EXPECT_EQ(refusal([](GapTuning& g) { g.spindle.parameter_spread = 0.0; }), "gap.spindle_parameter_spread");
+  EXPECT_EQ(refusal([](GapTuning& g) { g.feed.parameter_spread = -0.5; }), "gap.feed_parameter_spread");
   const auto refusal_of = [&refusal](gap::EffectForm form, std::uint32_t count = 1) {
     return refusal([&](GapTuning& g) {
       g.feed.forms.form.fill(form);
