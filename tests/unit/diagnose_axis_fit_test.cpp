@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim_host/diagnose/axis_fit.hpp"
+#include "sim_host/diagnose/parameter_report.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {
@@ -33,6 +34,27 @@ TEST_F(Innovations, AreThoseOfTheFittedModel) {
   const std::vector<float> before = fit_.innovations().normalised[1];
   fit_.refit();
   EXPECT_NE(fit_.innovations().normalised[1], before);
+}
+
+/// A machine changes by more from day to day than a good recording leaves open; a bad one tells nothing of
+/// some.
+TEST(SpreadOfValues, IsTheMeanOfWhatIsOpenOfEach) {
+  const auto spread_of = [](const SimulatedRun& run, double& mean) {
+    const RecordingSignals signals = record(run);
+    AxisFit fit(Axis::kSpindle, signals, gap_model(datasheet(0.0), signals));
+    fit.refit();
+    mean = 1.0;
+    for (const auto& one : host::parameters_of(fit))
+      mean *= std::pow(std::min(one.standard_error / one.refit, gap::kDatasheetSpread), 1.0 / 6.0);
+    return host::spread_of(fit);
+  };
+  double mean = 0.0;
+  EXPECT_EQ(spread_of({.duration_s = 3.0}, mean), 0.005);
+  EXPECT_LT(mean, 0.005);
+  const double steady = spread_of({.duration_s = 0.03, .profile = host::ProfileKind::kProduction}, mean);
+  EXPECT_GT(mean, 0.006);
+  EXPECT_LT(mean, 0.4);
+  EXPECT_NEAR(steady, mean, 1.0e-9 * mean) << "rounding of six products";
 }
 
 /// Whoever looks for the best value holds it while the model is asked how likely it is.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -198,22 +199,39 @@ TEST(GapWatch, TakesForNoiseWhatTheHostHasSeenAsNoise) {
   EXPECT_EQ(found(run, machine, settings).verdict, GapVerdict::kNoGap);
 }
 
-/// A spindle that a production never stops: windage and more friction look the same to it.
-GapFinding found_at_one_speed(double parameter_spread) {
+/// Sees a spindle that a production never stops: windage and more friction look the same to it.
+std::unique_ptr<GapWatch<float>> watch_of_one_speed(double parameter_spread) {
   GapSettings settings = test::gap_settings();
   settings.spindle.excitation = 0.001;
   settings.spindle.parameter_spread = parameter_spread;
-  return found({.effects = {test::gap_effect(Effect::kSpindleWindage, 2.0e-7)},
-                .profile = host::ProfileKind::kProduction,
-                .duration_s = 24.0},
-               test::gap_configuration().machine, settings);
+  auto watch =
+      std::make_unique<GapWatch<float>>(test::new_watch<float>(test::gap_configuration().machine, settings));
+  test::watch_run(*watch, {.effects = {test::gap_effect(Effect::kSpindleWindage, 2.0e-7)},
+                           .profile = host::ProfileKind::kProduction,
+                           .duration_s = 24.0});
+  watch->finish();
+  return watch;
 }
 
 TEST(GapWatch, TellsAnEffectFromOtherValuesWhereItKnowsThem) {
-  EXPECT_EQ(found_at_one_speed(kDatasheetSpread).verdict, GapVerdict::kParameterError);
-  const GapFinding known = found_at_one_speed(0.005);
-  EXPECT_EQ(known.verdict, GapVerdict::kEffect);
-  EXPECT_TRUE(is_named(known, Effect::kSpindleWindage)) << name(known.effect);
+  const auto half_known = watch_of_one_speed(kDatasheetSpread);
+  EXPECT_EQ(half_known->finding().verdict, GapVerdict::kParameterError);
+  const auto known = watch_of_one_speed(0.005);
+  EXPECT_EQ(known->finding().verdict, GapVerdict::kEffect);
+  EXPECT_TRUE(is_named(known->finding(), Effect::kSpindleWindage)) << name(known->finding().effect);
+  // What the frames tell does not depend on what was known before.
+  EXPECT_EQ(known->spindle().evaluation().excitation(), half_known->spindle().evaluation().excitation());
+}
+
+// The inverse of both together would have no square in a float, and what is no number is no gap.
+TEST(GapWatch, KnowsValuesAsWellAsAFloatCanTell) {
+  MachineParameters machine = test::gap_configuration().machine;
+  machine.feed.contact_force_n = machine.feed.contact_offset_n = 1.0e-12;
+  GapSettings settings = test::gap_settings();
+  settings.feed.parameter_spread = settings.feed.excitation = 1.0e-12;
+  const GapFinding finding = found({}, machine, settings);
+  EXPECT_NE(finding.verdict, GapVerdict::kNoGap) << "its contact pushes with all its force";
+  EXPECT_TRUE(std::isfinite(finding.evidence));
 }
 
 TEST(GapWatch, SaysNothingBeforeItHasSeenEnough) {
