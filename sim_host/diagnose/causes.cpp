@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
@@ -123,6 +124,19 @@ std::size_t causes_of(std::span<const Finding> found) {
       ++causes;
   }
   return causes + std::min<std::size_t>(parts, 1);
+}
+
+bool may_be_one_cause(std::span<const Finding> found) {
+  constexpr double kWeak = 0.35;
+  if (causes_of(found) != 2) return false;
+  std::vector<double> evidence;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (shaped_by(found, i)) continue;
+    if (!is_slow_law(found[i].effect.form.effect)) return false;
+    evidence.push_back(found[i].evidence);
+  }
+  const auto [weaker, stronger] = std::minmax_element(evidence.begin(), evidence.end());
+  return evidence.size() == 2 && *weaker < kWeak * *stronger;
 }
 
 bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index) {

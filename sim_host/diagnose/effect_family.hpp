@@ -70,6 +70,14 @@ constexpr bool is_fast(gap::Effect effect) {
          effect == gap::Effect::kInductanceSaturation;
 }
 
+/// Forces, torques and voltages that follow how the machine moves, slowly: in few states of a machine they
+/// look alike.
+constexpr bool is_slow_law(gap::Effect effect) {
+  const bool is_periodic = family_of(effect) == Family::kPerTurn || passes_with_teeth(effect) ||
+                           effect == gap::Effect::kFeedScrewPeriodic;
+  return !is_fast(effect) && !is_periodic && effect != gap::Effect::kFeedBacklash;
+}
+
 /// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the
 /// recording says otherwise clearly.
 struct Plainer {

@@ -29,6 +29,7 @@ struct NamingContext {
   double threshold = 0.0;      ///< evidence that chance does not reach
   double unnamed_share = 0.0;  ///< of the axis' excess, that no effect explains
   std::size_t causes = 1;      ///< that the axis needs, as causes_of() counts them
+  bool may_be_one = false;     ///< as may_be_one_cause() tells
   bool is_strongest = true;    ///< no other name of the axis has more evidence
 };
 

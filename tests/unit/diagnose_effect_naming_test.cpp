@@ -36,6 +36,29 @@ TEST(Causes, OfFrictionAreOne) {
   EXPECT_EQ(causes({Effect::kFeedCoulombFriction, Effect::kFeedForceOffset, Effect::kFeedSpring}), 2U);
 }
 
+bool may_be_one(Effect first, double evidence, Effect second, double of_second, bool has_third = false) {
+  std::vector<Finding> found(has_third ? 3 : 2);
+  found[0].effect.form.effect = first;
+  found[0].evidence = evidence;
+  found[1].effect.form.effect = second;
+  found[1].evidence = of_second;
+  if (has_third) found[2].effect.form.effect = Effect::kFeedContactDrift;
+  return may_be_one_cause(found);
+}
+
+// What a shape that is not quite the machine's leaves is weak and slow.
+TEST(Causes, OfWhichOneIsAWeakSlowLawMayBeOne) {
+  EXPECT_TRUE(may_be_one(Effect::kFeedForceOffset, 1000.0, Effect::kFeedSpring, 300.0));
+  EXPECT_TRUE(may_be_one(Effect::kFeedSpring, 300.0, Effect::kFeedForceOffset, 1000.0));
+  EXPECT_FALSE(may_be_one(Effect::kFeedForceOffset, 1000.0, Effect::kFeedSpring, 400.0));
+  EXPECT_FALSE(may_be_one(Effect::kFeedForceOffset, 1000.0, Effect::kFeedSpring, 300.0, true)) << "three";
+  EXPECT_FALSE(may_be_one(Effect::kFeedForceOffset, 1000.0, Effect::kFeedCoulombFriction, 300.0)) << "parts";
+  for (const Effect unlike :
+       {Effect::kFeedDriveLag, Effect::kFeedScrewPeriodic, Effect::kFeedBacklash,
+        Effect::kFeedToothPassingForce, Effect::kShaftCompliance, Effect::kSpindleCogging})
+    EXPECT_FALSE(may_be_one(Effect::kFeedSpring, 1000.0, unlike, 300.0)) << gap::name_of(unlike);
+}
+
 /// A finding of this size in the unit of the catalogue.
 Finding found_as(Effect effect, double size) {
   Finding finding;
@@ -164,6 +187,19 @@ TEST_F(Naming, IsSureWhereNothingSpeaksAgainstIt) {
   const EffectResult alone = named({{Effect::kFeedSpring, 4000.0}, {Effect::kFeedForceOffset, 900.0}});
   EXPECT_NEAR(alone.confidence, 0.98, 1.0e-6);
   EXPECT_EQ(alone.alias_set, Effects{Effect::kFeedSpring});
+}
+
+TEST_F(Naming, DoubtsTwoThatMayBeOne) {
+  const Finding finding = finding_of({{Effect::kFeedSpring, 4000.0}});
+  const auto confidence = [&](bool may_be_one, bool is_strongest) {
+    return named_effect(
+               finding, fit,
+               {.threshold = 40.0, .causes = 2, .may_be_one = may_be_one, .is_strongest = is_strongest})
+        .confidence;
+  };
+  EXPECT_NEAR(confidence(false, false), 0.98, 1.0e-6);
+  EXPECT_NEAR(confidence(true, true), 0.7 * 0.98, 1.0e-6);
+  EXPECT_NEAR(confidence(true, false), 0.25 * 0.98, 1.0e-6);
 }
 
 /// Evidence of four standard errors and more is a size that may be any.
