@@ -44,6 +44,20 @@ double share_predicted(const std::optional<ModelComparison>& models) {
   return before > 0.0 ? 1.0 - excess(models->with_effect) / before : 1.0;
 }
 
+/// Is a model that runs free beyond noise, and as far with the effects as without them, wherever they act?
+bool runs_as_far(const Comparisons& free_run) {
+  constexpr double kBeyondNoise = 1.05;
+  constexpr double kAsFar = 0.05;
+  bool is_any = false;
+  for (const std::optional<ModelComparison>& models : free_run) {
+    if (!models || models->refit.value == models->with_effect.value) continue;
+    if (!(models->refit.interval90[0] > kBeyondNoise * models->noise_floor)) continue;
+    if (share_predicted(models) > kAsFar) return false;
+    is_any = true;
+  }
+  return is_any;
+}
+
 }  // namespace
 
 void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
@@ -97,7 +111,8 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
     return balance.residual_ratio_after > kVisible &&
            (is_nothing || !is_predicted(shrinkage.one_step_nrmse, balance));
   };
-  return most_closed < kClosed && std::any_of(where.begin(), where.end(), shows_much);
+  if (most_closed >= kClosed) return false;
+  return runs_as_far(shrinkage.free_run_nrmse) || std::any_of(where.begin(), where.end(), shows_much);
 }
 
 }  // namespace morepro::host

@@ -32,8 +32,10 @@ TEST(HardlyClosed, IsAGapOfWhichNamesTakeAHalf) {
 
 /// The same with errors of a free run.
 Shrinkage run_free(Shrinkage steps, double refit, double with_effect) {
-  steps.free_run_nrmse[kFeed] =
-      ModelComparison{.datasheet = {9.0}, .refit = {refit}, .with_effect = {with_effect}, .noise_floor = 1.0};
+  steps.free_run_nrmse[kFeed] = ModelComparison{.datasheet = {9.0},
+                                                .refit = {refit, {0.95 * refit, 1.05 * refit}},
+                                                .with_effect = {with_effect},
+                                                .noise_floor = 1.0};
   return steps;
 }
 
@@ -41,8 +43,23 @@ Shrinkage run_free(Shrinkage steps, double refit, double with_effect) {
 TEST(HardlyClosed, IsAGapOfWhichSurelyNothingIsClosed) {
   const Shrinkage nothing = shrinkage(0.14, 1.0, 1.0);
   EXPECT_TRUE(is_hardly_closed(run_free(nothing, 2.7, 3.0), std::array{balance(1.52)}));
-  EXPECT_FALSE(is_hardly_closed(run_free(nothing, 2.7, 3.0), std::array{balance(1.1)}));
   EXPECT_FALSE(is_hardly_closed(run_free(nothing, 1.2, 1.0), std::array{balance(2.52)}));
+}
+
+// However little a step shows of it.
+TEST(HardlyClosed, IsAGapOfWhichAFreeRunIsNoBetter) {
+  const Shrinkage little = shrinkage(0.67, 1.001, 1.0);
+  const std::array shown{balance(1.05)};
+  EXPECT_TRUE(is_hardly_closed(run_free(little, 2.7, 3.0), shown));
+  EXPECT_TRUE(is_hardly_closed(run_free(little, 2.7, 2.65), shown));
+  EXPECT_FALSE(is_hardly_closed(run_free(little, 2.7, 2.5), shown));
+  EXPECT_FALSE(is_hardly_closed(run_free(little, 2.7, 2.7), shown)) << "where no effect acts";
+  EXPECT_FALSE(is_hardly_closed(run_free(shrinkage(0.71, 1.001, 1.0), 2.7, 3.0), shown));
+  EXPECT_FALSE(is_hardly_closed(run_free(little, 1.1, 1.2), shown)) << "noise";
+  Shrinkage elsewhere = run_free(little, 2.7, 3.0);
+  elsewhere.free_run_nrmse[static_cast<std::size_t>(gap::Balance::kSpindleTorque)] = ModelComparison{
+      .datasheet = {9.0}, .refit = {2.7, {2.5, 2.9}}, .with_effect = {1.2}, .noise_floor = 1.0};
+  EXPECT_FALSE(is_hardly_closed(elsewhere, shown));
 }
 
 TEST(HardlyClosed, IsNoGapThatIsMostlyGone) {
