@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "sim_host/diagnose/causes.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
