@@ -47,5 +47,23 @@ TEST(TwoCauses, AreBothNamedWhereOneIsFastAndWorthMuch) {
   EXPECT_NEAR(friction->magnitude, 0.0235, 3.0 * friction->standard_error);
 }
 
+// It might be what the shape of the other one leaves, and both what a cause without a name looks like; as
+// strong as the other one it is sure.
+TEST(TwoCauses, OfWhichOneIsWeakAreBelievedLess) {
+  const auto with_windage = [](double windage_nms2_rad2) {
+    return diagnosed(record({.effects = {effect(Effect::kToolWearRamp, 0.05),
+                                         effect(Effect::kSpindleWindage, windage_nms2_rad2)},
+                             .duration_s = 6.0}),
+                     datasheet(0.0));
+  };
+  const auto weak = with_windage(3.0e-8);
+  ASSERT_EQ(weak.which.size(), 2U) << said(weak);
+  EXPECT_NEAR(weak.which[0].confidence, 0.7 * 0.98, 0.01) << said(weak);
+  EXPECT_NEAR(weak.which[1].confidence, 0.25 * 0.98, 0.01) << said(weak);
+  const auto strong = with_windage(2.0e-7);
+  ASSERT_EQ(strong.which.size(), 2U) << said(strong);
+  for (const auto& found : strong.which) EXPECT_GT(found.confidence, 0.95) << said(strong);
+}
+
 }  // namespace
 }  // namespace morepro::diagnose_test
