@@ -23,7 +23,8 @@ class GapWatchEvaluation {
       : threshold_(static_cast<Real>(limits.evidence)),
         temperature_(static_cast<Real>(limits.temperature)),
         least_excitation_(static_cast<Real>(limits.excitation)),
-        noise_ratio_(static_cast<Real>(limits.noise_ratio)) {
+        noise_ratio_(static_cast<Real>(limits.noise_ratio)),
+        second_order_(static_cast<Real>(second_order_of(limits.parameter_spread))) {
     for (std::size_t j = 0; j < kParameters; ++j)
       expect(j, value[j], static_cast<Real>(limits.parameter_spread) * value[j]);
   }
@@ -71,8 +72,10 @@ class GapWatchEvaluation {
  private:
   static constexpr std::size_t kFewestRows = 300;
   static constexpr Real kAliasCorrelation = Real(0.98);
-  // Parameters that are off by p leave a share of p^2 that their columns, which are linear, do not explain.
-  static constexpr Real kSecondOrder = Real(0.005);
+  // Parameters that are off by p leave a share of p^2 that their columns, which are linear, do not explain:
+  // of this much, or of three standard deviations where they are known better.
+  static constexpr double kSecondOrder = 0.005;
+  static constexpr double kMostDeviations = 3.0;
   // Residual per row; from 300 rows of the noise that is expected it is 1 +- 0.08.
   static constexpr Real kMostResidual = Real(1.3);
   static constexpr Real kAllExplained = Real(1.15);
@@ -91,6 +94,11 @@ class GapWatchEvaluation {
 
   [[nodiscard]] Real evidence(Real before, Real after, Real freedom) const {
     return rows() * math::log(before / std::max(after, Real(1.0e-6) * before)) - freedom * math::log(rows());
+  }
+
+  static double second_order_of(double spread) {
+    const double most = kMostDeviations * spread;
+    return std::min(kSecondOrder, most * most);
   }
 
   [[gnu::noinline, gnu::cold]] void expect(std::size_t j, Real value, Real spread) {
@@ -224,7 +232,7 @@ class GapWatchEvaluation {
   [[nodiscard]] Real most_left() const { return found_ > 1 ? kMostLeftBySeveral : kMostLeft; }
 
   [[nodiscard]] bool is_effect() const {
-    return evidence_[best_] > threshold_ && gain_[best_] > kSecondOrder * (whole_ - refitted_);
+    return evidence_[best_] > threshold_ && gain_[best_] > second_order_ * (whole_ - refitted_);
   }
 
   [[nodiscard]] Real confidence(Real best) const {
@@ -240,6 +248,7 @@ class GapWatchEvaluation {
   Real temperature_;
   Real least_excitation_;
   Real noise_ratio_;
+  Real second_order_;  ///< share of what parameters explain that an effect has to gain
   Statistics statistics_{};
   typename Statistics::Insertion prior_{};
   GapFinding finding_{};

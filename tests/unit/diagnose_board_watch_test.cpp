@@ -83,6 +83,19 @@ TEST(BoardWatch, TellsAnEffectFromOtherValuesAsWellAsTheHostKnowsThem) {
   EXPECT_EQ(host::tuning_for_board(settings, {}, 1.0).spindle.parameter_spread, 0.005);
 }
 
+/// The host has seen what was before, from which it knows the values.
+TEST(BoardWatch, IsToldHowWellTheHostKnowsTheValues) {
+  gap::AppliedEffect late = effect(Effect::kSpindleWindage, 2.0e-7);
+  late.onset_s = 2.0;
+  const DiagnosisResult result =
+      diagnosed(record({.effects = {late}, .duration_s = 6.0, .profile = host::ProfileKind::kProduction}),
+                datasheet(0.0));
+  ASSERT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
+  EXPECT_LT(result.for_board.spindle.parameter_spread, 0.02);
+  EXPECT_GE(result.for_board.spindle.parameter_spread, 0.005);
+  EXPECT_TRUE(result.board_agrees) << gap::name_of(result.board.verdict);
+}
+
 /// What noise may be worth is an estimate, and the host sees more.
 TEST(BoardWatch, HearsOfACauseThatTheHostIsSureOf) {
   const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 0.1)}});
