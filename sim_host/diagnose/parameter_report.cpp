@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "lib/gap/gap_watch_finding.hpp"
@@ -103,8 +102,9 @@ double spread_of(const AxisFit& fit) {
   const auto all = named(fit);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double value = std::fabs(all[i].refit);
-    const double error = value > 0.0 ? standard_error_of(fit, i, value) / value : gap::kDatasheetSpread;
-    sum += std::log(std::clamp(error, std::numeric_limits<double>::min(), gap::kDatasheetSpread));
+    const double error = value > 0.0 ? standard_error_of(fit, i, value) / value : 0.0;
+    const bool is_fitted = error > 0.0;
+    sum += std::log(is_fitted ? std::min(error, gap::kDatasheetSpread) : gap::kDatasheetSpread);
   }
   return std::max(kDrift, std::exp(sum / static_cast<double>(all.size())));
 }

@@ -55,6 +55,9 @@ TEST(SpreadOfValues, IsTheMeanOfWhatIsOpenOfEach) {
   EXPECT_GT(mean, 0.006);
   EXPECT_LT(mean, 0.4);
   EXPECT_NEAR(steady, mean, 1.0e-9 * mean) << "rounding of six products";
+  const RecordingSignals signals = record({.duration_s = 0.1});
+  const AxisFit unfitted(Axis::kSpindle, signals, gap_model(datasheet(0.0), signals));
+  EXPECT_NEAR(host::spread_of(unfitted), gap::kDatasheetSpread, 1.0e-9);
 }
 
 /// Whoever looks for the best value holds it while the model is asked how likely it is.
