@@ -237,6 +237,15 @@ bool AxisOutcome::is_strongest(const Finding& finding) const {
                       [&finding](const Finding& other) { return other.evidence > finding.evidence; });
 }
 
+NamingContext AxisOutcome::context_of(const Finding& finding, double unnamed_share) const {
+  return {.temperature = chance.temperature,
+          .threshold = threshold_of(finding),
+          .unnamed_share = unnamed_share,
+          .causes = causes_of(diagnosis.found),
+          .may_be_one = may_be_one_cause(diagnosis.found),
+          .is_strongest = is_strongest(finding)};
+}
+
 double AxisOutcome::least_function() const { return std::max(diagnosis.least_evidence, chance.quantile99); }
 
 double AxisOutcome::unnamed_deviance_in(gap::Balance balance) const {

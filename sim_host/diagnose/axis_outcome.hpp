@@ -6,6 +6,7 @@
 #include "sim_host/diagnose/axis_diagnosis.hpp"
 #include "sim_host/diagnose/bootstrap.hpp"
 #include "sim_host/diagnose/diagnosis.hpp"
+#include "sim_host/diagnose/effect_naming.hpp"
 #include "sim_host/diagnose/leftover.hpp"
 
 namespace morepro::host {
@@ -33,6 +34,8 @@ struct AxisOutcome {
   [[nodiscard]] bool is_strongest(const Finding& finding) const;
   /// The same for one of the functions without a name, which count together.
   [[nodiscard]] double least_function() const;
+  /// What its name is judged by, where `unnamed_share` of the axis' excess has none.
+  [[nodiscard]] NamingContext context_of(const Finding& finding, double unnamed_share) const;
   /// Deviance that structure without a name needs.
   [[nodiscard]] double least_unnamed() const { return std::max(kLeastUnnamed, noise_evidence); }
   /// Deviance of what has no name; 0 where chance may do as much.

@@ -274,14 +274,7 @@ class Diagnosis {
                            : all > 0.0         ? excess_of(outcome.unnamed_deviance()) / all
                                                : 0.0;
     const double temperature = outcome.chance.temperature;
-    const std::vector<Finding>& found = outcome.diagnosis.found;
-    EffectResult effect = named_effect(finding, fit,
-                                       {.temperature = temperature,
-                                        .threshold = outcome.threshold_of(finding),
-                                        .unnamed_share = unnamed,
-                                        .causes = causes_of(found),
-                                        .may_be_one = may_be_one_cause(found),
-                                        .is_strongest = outcome.is_strongest(finding)});
+    EffectResult effect = named_effect(finding, fit, outcome.context_of(finding, unnamed));
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
