@@ -43,7 +43,7 @@ class ColumnSet {
   }
   bool apply(const AppliedEffect& effect) {
     if (applied_ + frictions_ == kMostApplied) return false;
-    if (is_dry_friction(effect.form.effect)) {
+    if (is_dry_friction(effect.form)) {
       friction_[frictions_++] = {effect.form, static_cast<Real>(effect.coefficient[0]),
                                  static_cast<Real>(effect.form.parts > 1 ? effect.coefficient[1] : 0.0),
                                  static_cast<Real>(effect.onset_s)};

@@ -54,10 +54,18 @@ FrictionStep<Real> around_a_turn(Real start, FrictionStep<Real>& first, Real fre
 }
 
 /// Is it a friction that changes its side so steeply that its state may stick?
-constexpr bool is_dry_friction(Effect effect) {
-  return effect == Effect::kSpindleCoulombFriction || effect == Effect::kSpindleStribeckFriction ||
-         effect == Effect::kFeedCoulombFriction || effect == Effect::kFeedStribeckFriction ||
-         effect == Effect::kBrushVoltageDrop;
+constexpr bool is_dry_friction(const EffectForm& form) {
+  switch (form.effect) {
+    case Effect::kSpindleCoulombFriction:
+      return !is_bristle(form);
+    case Effect::kSpindleStribeckFriction:
+    case Effect::kFeedCoulombFriction:
+    case Effect::kFeedStribeckFriction:
+    case Effect::kBrushVoltageDrop:
+      return true;
+    default:
+      return false;
+  }
 }
 
 /// State that a dry friction brakes.

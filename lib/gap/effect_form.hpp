@@ -88,6 +88,13 @@ constexpr bool may_be_refined(Effect effect) {
   }
 }
 
+/// Is it a friction that bends before it slides? Its shape is how far it yields: the feed's in m, and as
+/// kind 1 of its dry friction the spindle's in rad.
+constexpr bool is_bristle(const EffectForm& form) {
+  return form.effect == Effect::kFeedPresliding ||
+         (form.effect == Effect::kSpindleCoulombFriction && form.kind == 1);
+}
+
 /// Is it friction that is gone beyond a range of speeds?
 constexpr bool is_stribeck(Effect effect) {
   return effect == Effect::kSpindleStribeckFriction || effect == Effect::kFeedStribeckFriction;

@@ -101,6 +101,7 @@ inline AppliedEffect restated(AppliedEffect one, const EffectScales<double>& fro
   switch (one.form.effect) {
     case Effect::kSpindleCoulombFriction:
     case Effect::kSpindleStribeckFriction:
+      if (is_bristle(one.form)) break;
       widen(from.speed_rad_s / to.speed_rad_s);
       break;
     case Effect::kFeedCoulombFriction:

@@ -38,7 +38,10 @@ class EffectTerm {
       case Effect::kFeedBacklash:
         return {.force_n = in_play(s, k)};
       case Effect::kFeedPresliding:
-        return {.force_n = bristled(s)};
+        return {.force_n = bristled(s.feed_speed_m_s)};
+      case Effect::kSpindleCoulombFriction:
+        if (is_bristle(form_)) return {.torque_nm = bristled(s.speed_rad_s)};
+        return by_law(s, k);
       case Effect::kSpindleSpeedDelay:
         return {.speed_rad_s = delayed(s.driven_speed_rad_s)};
       case Effect::kCurrentDelay:
@@ -118,8 +121,8 @@ class EffectTerm {
   }
 
   /// Part 1: what damps the bristle, per 1/s of its deflection (the model of Canudas de Wit).
-  Real bristled(const EffectSignals<Real>& s) {
-    const auto deflection = bristle_(s.feed_speed_m_s * step_s_, static_cast<Real>(form_.shape));
+  Real bristled(Real speed) {
+    const auto deflection = bristle_(speed * step_s_, static_cast<Real>(form_.shape));
     return part_ == 0 ? -deflection.mean : -deflection.change / step_s_;
   }
 

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "lib/gap/column_set.hpp"
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "sim_host/diagnose/axis_outcome.hpp"
@@ -41,7 +42,6 @@ namespace {
 using gap::Effect;
 
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
-constexpr std::size_t kFewestRows = 1000;
 
 class Diagnosis {
  public:
@@ -208,13 +208,11 @@ class Diagnosis {
       return std::string(meaning) + (is_unexplained() && !result_.has_place()
                                          ? "; no balance that is evaluated shows it alone"
                                          : "");
-    if (signals_.rows < kFewestRows) return too_short();
+    if (std::string lack = too_short(signals_); !lack.empty()) return lack;
     if (outcomes_.empty())
       return "no balance has its signals in the recording and its values in the machine file";
     return "nothing moves enough in the recording to tell a single parameter";
   }
-
-  static std::string too_short() { return fmt::format("the recording is shorter than {} rows", kFewestRows); }
 
   /// Another sensor has the same fault, or an effect was found in two kinds of its law.
   [[nodiscard]] bool is_named(Effect effect) const {
@@ -227,11 +225,13 @@ class Diagnosis {
                        [](const EffectResult& e) { return keeps_its_side(e.effect); });
   }
 
-  /// Pieces that were not fitted to have the last word on whether names explain the gap.
+  /// Rows, and pieces that were not fitted to, have the last word on whether names explain the gap.
   void reconsider() {
-    const bool is_closed = is_unexplained() && is_nearly_closed(result_.shrinkage);
-    const bool is_left = result_.verdict == Verdict::kEffect && faults_.empty() && !names_a_play() &&
-                         is_hardly_closed(result_.shrinkage, result_.where);
+    const bool has_say = faults_.empty() && !names_a_play();
+    const bool is_kept = has_say && keeps_a_gap(result_.where);
+    const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);
+    const bool is_left = result_.verdict == Verdict::kEffect && has_say &&
+                         (is_kept || is_hardly_closed(result_.shrinkage, result_.where));
     is_judged_by_share_ = is_closed || is_left;
     if (!is_judged_by_share_) return;
     result_.verdict = is_closed ? Verdict::kEffect : Verdict::kUnexplained;
@@ -270,7 +270,8 @@ class Diagnosis {
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
     const AxisFit& fit = outcome.diagnosis.fit;
     const double all = excess_of(outcome.unnamed_deviance() + outcome.named_deviance());
-    const double unnamed = is_judged_by_share_ ? 1.0 - result_.shrinkage.share_closed
+    const double unnamed = is_judged_by_share_ ? std::max(1.0 - result_.shrinkage.share_closed,
+                                                          share_kept_by(finding.effect.form.effect))
                            : all > 0.0         ? excess_of(outcome.unnamed_deviance()) / all
                                                : 0.0;
     const double temperature = outcome.chance.temperature;
@@ -309,8 +310,21 @@ class Diagnosis {
       for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit))
         result_.parameters.push_back(std::move(parameter));
     }
-    for (std::size_t b = 0; b < gap::kBalanceCount; ++b) add_if_absent(static_cast<gap::Balance>(b));
+    add_unevaluated(signals_, machine_, result_.where);
     if (!result_.which.empty()) share_closed(gaps, unnamed, options_.seed, result_.shrinkage);
+  }
+
+  [[nodiscard]] bool acts_in(const BalanceResult& balance, Effect effect) const {
+    const auto acted_on = static_cast<gap::Balance>(gap::info_of(effect).group);
+    return !gap::is_in_sensor(effect) && signals_.balance_that_shows(acted_on) == balance.balance;
+  }
+
+  /// The most that a balance keeps of its gap in which the effect acts; of a sensor's, any.
+  [[nodiscard]] double share_kept_by(Effect effect) const {
+    double most = 0.0;
+    for (const BalanceResult& balance : result_.where)
+      if (acts_in(balance, effect) || gap::is_in_sensor(effect)) most = std::max(most, share_kept(balance));
+    return most;
   }
 
   void mark(BalanceResult& balance, const AxisOutcome& outcome) const {
@@ -322,10 +336,8 @@ class Diagnosis {
     }
     bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
-      const auto group = gap::info_of(finding.effect.form.effect).group;
-      const bool is_sensor = group == gap::EffectGroup::kSensor;
-      const bool is_here =
-          !is_sensor && signals_.balance_that_shows(static_cast<gap::Balance>(group)) == balance.balance;
+      const bool is_sensor = gap::is_in_sensor(finding.effect.form.effect);
+      const bool is_here = acts_in(balance, finding.effect.form.effect);
       if (!is_here && !is_sensor) continue;
       balance.is_significant |= is_here || balance.residual_ratio > kVisible * balance.residual_ratio_after;
       const bool is_late_fault = is_sensor && finding.effect.onset_s > 0.0 && balance.is_significant;
@@ -334,15 +346,6 @@ class Diagnosis {
       is_strongest &= !is_here;
     }
     balance.is_significant |= result_.verdict == Verdict::kUnexplained && shows_unnamed(outcome, balance);
-  }
-
-  void add_if_absent(gap::Balance balance) {
-    for (const BalanceResult& known : result_.where)
-      if (known.balance == balance) return;
-    BalanceResult absent{.balance = balance};
-    absent.reason = why_not_evaluated(balance, signals_, machine_);
-    if (absent.reason.empty()) absent.reason = signals_.rows < kFewestRows ? too_short() : "nothing tells it";
-    result_.where.push_back(absent);
   }
 
   /// `expected`: the sensors that the machine is known to have.

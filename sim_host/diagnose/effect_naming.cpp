@@ -28,6 +28,9 @@ constexpr std::size_t kMostAliases = 3;
 // What the catalogue calls an alias is listed with this share of the best evidence: on a machine whose shape
 // is neither's it may be the truth.
 constexpr double kAliasShare = 0.4;
+// Of the bristle that a dry friction is made of more: how far it yields is a matter of degree, and at strokes
+// beyond that both are what an engineer calls Coulomb friction.
+constexpr double kAliasShareOfBristle = 0.05;
 // Three and more independent causes at once are rarer than one whose shape takes several, or that has no name
 // and looks like them: of eight such axes whose causes the catalogue has (tests/blind and another simulator)
 // the strongest name was right in all, of the 18 others two; of two axes without theirs none was.
@@ -93,10 +96,11 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
   };
   const double of_odds = 2.0 * temperature(kMisfitOfOdds);
   const double indistinct = 2.0 * temperature(kMisfitOfAliases) * std::log(kAliasOdds);
+  const double alias_share = gap::is_bristle(finding.effect.form) ? kAliasShareOfBristle : kAliasShare;
   const auto is_alias = [&](const Candidate& rival) {
     return best - rival.evidence < indistinct ||
            (gap::info_of(effect.effect).aliases.contains(rival.form.effect) &&
-            rival.evidence > kAliasShare * best);
+            rival.evidence > alias_share * best);
   };
   const double of_chance = std::max(of_odds, kDoubtOfChance * context.threshold);
   double sum = 1.0 + std::exp(-(std::max(best, effect.evidence) - context.threshold) / of_chance);

@@ -28,8 +28,8 @@ gap::AppliedEffect beginning_of(const Candidate& candidate) {
 }
 
 /// Where a noisy speed changes its sign all the time, the width in which friction does so looks too wide.
-constexpr bool has_blurred_shape(gap::Effect effect) {
-  return gap::is_dry_friction(effect) && !gap::is_stribeck(effect);
+constexpr bool has_blurred_shape(const gap::EffectForm& form) {
+  return gap::is_dry_friction(form) && !gap::is_stribeck(form.effect);
 }
 
 /// The model with one effect more, fitted to a part of the recording.
@@ -60,7 +60,8 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
   trial.fit = roughly_fitted(fit, trial.candidate, without, is_astray);
   trial.fit.finish(without);
   weigh_order_of_lags(trial.fit);
-  if (has_blurred_shape(candidate.form.effect)) sharpen_newest(trial.fit, kNoWider);
+  if (has_blurred_shape(candidate.form)) sharpen_newest(trial.fit, kNoWider);
+  if (candidate.form.effect == gap::Effect::kSpindleCoulombFriction) weigh_bristle(trial.fit);
   // A bend would do the work of a wrong onset.
   if (candidate.onset_s > 0.0) place_onset_of_newest(trial.fit);
   if (candidate.form.effect == gap::Effect::kShaftCompliance) tune_newest(trial.fit);

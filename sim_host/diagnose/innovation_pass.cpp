@@ -47,10 +47,8 @@ struct SpindleMotion {
 /// Does something turn within an interval that no closed form knows? What the tool meets turns with the
 /// spindle, a bristle with the axis.
 bool turns_within(Axis axis, const RecordingSignals& signals, const GapModel& model) {
-  if (axis == Axis::kSpindle) return signals.has_been_in_contact();
-  const auto has_bristle = [](const gap::AppliedEffect& one) {
-    return one.form.effect == gap::Effect::kFeedPresliding;
-  };
+  if (axis == Axis::kSpindle && signals.has_been_in_contact()) return true;
+  const auto has_bristle = [](const gap::AppliedEffect& one) { return gap::is_bristle(one.form); };
   return !signals.is_thinned && (std::any_of(model.known.begin(), model.known.end(), has_bristle) ||
                                  std::any_of(model.effects.begin(), model.effects.end(), has_bristle));
 }

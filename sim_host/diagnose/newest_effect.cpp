@@ -192,6 +192,29 @@ void sharpen_range_of_newest(AxisFit& trial) {
   if (plain.unlikeliness() < trial.unlikeliness() + saved) trial = std::move(plain);
 }
 
+// Both ways to yield begin with little noise, too: what is fitted to one of them hides the other.
+void weigh_bristle(AxisFit& trial) {
+  constexpr float kUsualYieldRad = 0.05F;
+  constexpr float kLeastYieldRad = 1.0e-4F;
+  constexpr float kMostYieldRad = 3.0F;
+  AxisFit bristle = trial;
+  gap::EffectForm& form = bristle.change_model().effects.back().form;
+  form.kind = 1;
+  form.shape = kUsualYieldRad;
+  bristle.narrow_down();
+  bristle.expect_little_noise();
+  bristle.refit();
+  const auto reshape = [](gap::AppliedEffect& effect, float factor) {
+    effect.form.shape *= factor;
+    return effect.form.shape >= kLeastYieldRad && effect.form.shape <= kMostYieldRad;
+  };
+  take_likelier(bristle, std::array{0.25F, 4.0F, 0.5F, 2.0F, 0.7F, 1.4F, 0.9F, 1.1F, 0.97F, 1.03F}, reshape);
+  bristle.settle_roughly(kRounds, {});
+  bristle.widen();
+  bristle.polish();
+  if (bristle.unlikeliness() < trial.unlikeliness() - kSharper) trial = std::move(bristle);
+}
+
 // At which end the cut is and how the shaft is damped hide each other: the search begins with either end.
 // What a wrong damping leaves passes for process noise, which then hides it: a second one begins with little.
 void tune_newest(AxisFit& trial) {

@@ -10,6 +10,10 @@ void sharpen_newest(AxisFit& trial, float widest_share);
 /// The same for the range of Stribeck friction, with and without its bend.
 void sharpen_range_of_newest(AxisFit& trial);
 
+/// Lets the model's newest effect, dry friction of the spindle, bend before it slides, where that is more
+/// likely.
+void weigh_bristle(AxisFit& trial);
+
 /// Searches for resonance and damping of the model's newest effect, a compliant shaft, now that it swings in
 /// the model.
 void tune_newest(AxisFit& trial);

@@ -24,7 +24,7 @@ constexpr std::array kOneStepNoise{0.3, kTrustingNoiseShare};
 void allow_little_noise(AxisFit& fit) {
   const auto& known = fit.model().known;
   if (std::none_of(known.begin(), known.end(),
-                   [](const gap::AppliedEffect& one) { return gap::is_dry_friction(one.form.effect); }))
+                   [](const gap::AppliedEffect& one) { return gap::is_dry_friction(one.form); }))
     fit.allow_little_noise();
 }
 

@@ -97,6 +97,19 @@ void share_closed(std::span<const BalanceRows> balances, std::span<const Unnamed
                           std::max(high[kDraws - 1 - kDraws / 20], shrinkage.share_closed)};
 }
 
+double share_kept(const BalanceResult& balance) {
+  constexpr double kVisible = 1.3;  // residual ratio
+  const double left = balance.residual_ratio_after - 1.0;
+  if (!balance.is_evaluated || !(left > kVisible - 1.0)) return 0.0;
+  return left / std::max(balance.residual_ratio - 1.0, left);
+}
+
+bool keeps_a_gap(std::span<const BalanceResult> where) {
+  constexpr double kOfShapes = 0.1;
+  return std::any_of(where.begin(), where.end(),
+                     [](const BalanceResult& balance) { return share_kept(balance) > kOfShapes; });
+}
+
 bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult> where) {
   constexpr double kClosed = 0.7;
   constexpr double kPredicted = 0.5;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/winding_heat.hpp"
 
@@ -40,6 +43,11 @@ class Missing {
 
 }  // namespace
 
+std::string too_short(const RecordingSignals& signals) {
+  if (signals.rows >= kFewestRows) return "";
+  return fmt::format("the recording is shorter than {} rows", kFewestRows);
+}
+
 std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& signals,
                               const MachineDescription& machine) {
   Missing missing(signals);
@@ -57,6 +65,20 @@ std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& sign
 bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine) {
   const auto balance = axis == Axis::kSpindle ? gap::Balance::kSpindleTorque : gap::Balance::kFeedForce;
   return why_not_evaluated(balance, signals, machine).empty();
+}
+
+void add_unevaluated(const RecordingSignals& signals, const MachineDescription& machine,
+                     std::vector<BalanceResult>& where) {
+  for (std::size_t b = 0; b < gap::kBalanceCount; ++b) {
+    BalanceResult absent{.balance = static_cast<gap::Balance>(b)};
+    if (std::any_of(where.begin(), where.end(),
+                    [&](const BalanceResult& known) { return known.balance == absent.balance; }))
+      continue;
+    absent.reason = why_not_evaluated(absent.balance, signals, machine);
+    if (absent.reason.empty()) absent.reason = too_short(signals);
+    if (absent.reason.empty()) absent.reason = "nothing tells it";
+    where.push_back(std::move(absent));
+  }
 }
 
 std::string untested_effects(const RecordingSignals& signals, const MachineDescription& machine) {

@@ -17,6 +17,7 @@ constexpr double kLongestDelayS = 0.04;
 
 int highest_kind(Effect effect) {
   switch (effect) {
+    case Effect::kSpindleCoulombFriction:
     case Effect::kToothPassingTorque:
     case Effect::kFeedToothPassingForce:
     case Effect::kViscousTemperatureDependence:

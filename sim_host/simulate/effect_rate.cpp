@@ -23,6 +23,7 @@ double rate_in_spindle(const gap::AppliedEffect& one, const gap::EffectScales<do
   const double smooth = static_cast<double>(gap::laws::kSmoothShare) * k.speed_rad_s;
   switch (one.form.effect) {
     case Effect::kSpindleCoulombFriction:
+      if (gap::is_bristle(one.form)) return std::sqrt(size / (shape * k.inertia_kgm2));
       return size / (shape * k.speed_rad_s * k.inertia_kgm2);
     case Effect::kSpindleStribeckFriction:
       return size / (side_of(one) * shape * k.speed_rad_s * k.inertia_kgm2);

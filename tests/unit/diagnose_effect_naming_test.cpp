@@ -247,7 +247,16 @@ TEST_F(Naming, ListsWhatAnotherShapeMightMake) {
 TEST_F(Naming, ListsTheCataloguesAliasesEarlier) {
   EXPECT_EQ(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 2000.0}}).alias_set,
             (Effects{Effect::kFeedPresliding, Effect::kFeedCoulombFriction}));
-  EXPECT_EQ(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 1200.0}}).alias_set,
+  EXPECT_EQ(named({{Effect::kFeedCoulombFriction, 4000.0}, {Effect::kFeedPresliding, 1200.0}}).alias_set,
+            Effects{Effect::kFeedCoulombFriction});
+}
+
+// Whoever sees a bristle bend sees dry friction; only where hardly any of it is that of a slide it is
+// another.
+TEST_F(Naming, ListsCoulombFrictionBesideABristle) {
+  EXPECT_EQ(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 300.0}}).alias_set,
+            (Effects{Effect::kFeedPresliding, Effect::kFeedCoulombFriction}));
+  EXPECT_EQ(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 100.0}}).alias_set,
             Effects{Effect::kFeedPresliding});
 }
 

@@ -75,5 +75,31 @@ TEST(HardlyClosed, IsNoGapThatNoBalanceShows) {
   EXPECT_FALSE(is_hardly_closed(shrinkage(0.0, 4.7, 5.6), std::array{balance(1.05)}));
 }
 
+/// A balance before and after.
+BalanceResult gap_of(double before, double after) {
+  return {.balance = gap::Balance::kFeedForce,
+          .is_evaluated = true,
+          .residual_ratio = before,
+          .residual_ratio_after = after};
+}
+
+// A tenth of it, and of one that shows.
+TEST(KeptGap, IsMoreThanShapesLeave) {
+  EXPECT_TRUE(keeps_a_gap(std::array{gap_of(32.0, 32.0)}));
+  EXPECT_TRUE(keeps_a_gap(std::array{gap_of(11.0, 2.1)}));
+  EXPECT_FALSE(keeps_a_gap(std::array{gap_of(11.0, 1.9)}));
+  EXPECT_FALSE(keeps_a_gap(std::array{gap_of(1.29, 1.29)})) << "hardly shows";
+  EXPECT_TRUE(keeps_a_gap(std::array{gap_of(50.0, 1.0), gap_of(1.4, 1.4)})) << "any";
+  BalanceResult unevaluated = gap_of(11.0, 11.0);
+  unevaluated.is_evaluated = false;
+  EXPECT_FALSE(keeps_a_gap(std::array{unevaluated}));
+}
+
+TEST(KeptGap, IsAShareOfIt) {
+  EXPECT_DOUBLE_EQ(share_kept(gap_of(11.0, 3.5)), 0.25);
+  EXPECT_DOUBLE_EQ(share_kept(gap_of(2.0, 2.5)), 1.0) << "not more than all";
+  EXPECT_DOUBLE_EQ(share_kept(gap_of(2.0, 1.2)), 0.0);
+}
+
 }  // namespace
 }  // namespace morepro::host
