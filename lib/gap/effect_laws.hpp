@@ -56,13 +56,6 @@ Real spindle_harmonic(const EffectSignals<Real>& s, Real multiple, int part) {
   return harmonic(multiple * s.angle_rad, part);
 }
 
-/// A load that passes with the teeth; kind 1: run-out, by which one tooth cuts more than another.
-template <class Real>
-Real tooth_load(const EffectForm& form, int part, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
-  if (s.contact == Real(0)) return Real(0);
-  return s.contact * spindle_harmonic(s, form.kind == 0 ? k.teeth : Real(1), part);
-}
-
 // Of the reference speed: where a load of the cut changes its side.
 inline constexpr float kSmoothShare = 0.002F;
 
@@ -71,6 +64,15 @@ template <class Real>
 Real cut_side(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
   if (s.contact == Real(0)) return Real(0);
   return s.contact * side(s.speed_rad_s, static_cast<Real>(kSmoothShare) * k.speed_rad_s);
+}
+
+/// A load that passes with the teeth; kind 1: run-out, by which one tooth cuts more than another. Kinds 2 and
+/// 3: the same of a torque that brakes either way the spindle turns.
+template <class Real>
+Real tooth_load(const EffectForm& form, int part, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  if (s.contact == Real(0)) return Real(0);
+  const Real load = spindle_harmonic(s, form.kind % 2 == 0 ? k.teeth : Real(1), part);
+  return load * (form.kind < 2 ? s.contact : cut_side(s, k));
 }
 
 /// Torque in N m on the spindle, added to Kt i.

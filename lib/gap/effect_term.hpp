@@ -26,8 +26,9 @@ class EffectTerm {
   [[nodiscard]] const EffectForm& form() const { return form_; }
   [[nodiscard]] int part() const { return part_; }
 
-  /// What the effect adds during one step, for a coefficient of one; `k`: the machine's.
-  Contribution<Real> step(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  /// What the effect adds during one step, for a coefficient of one; `k`: the machine's. Never copied into
+  /// its callers: it is large.
+  [[gnu::noinline]] Contribution<Real> step(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
     switch (form_.effect) {
       case Effect::kShaftCompliance:
         return {.torque_nm =
@@ -39,9 +40,6 @@ class EffectTerm {
         return {.force_n = in_play(s, k)};
       case Effect::kFeedPresliding:
         return {.force_n = bristled(s.feed_speed_m_s)};
-      case Effect::kSpindleCoulombFriction:
-        if (is_bristle(form_)) return {.torque_nm = bristled(s.speed_rad_s)};
-        return by_law(s, k);
       case Effect::kSpindleSpeedDelay:
         return {.speed_rad_s = delayed(s.driven_speed_rad_s)};
       case Effect::kCurrentDelay:
@@ -56,6 +54,9 @@ class EffectTerm {
       case Effect::kUnnamedVoltage:
       case Effect::kUnnamedForce:
         return unnamed(unnamed_law(s, k));
+      case Effect::kSpindleCoulombFriction:
+        if (is_bristle(form_)) return {.torque_nm = bristled(s.speed_rad_s)};
+        [[fallthrough]];
       default:
         return by_law(s, k);
     }

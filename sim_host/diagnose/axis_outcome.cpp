@@ -150,20 +150,12 @@ bool sets_in_late(const AxisOutcome& outcome) {
   return std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.effect.onset_s > 0.0; });
 }
 
-/// What more than noise may be worth was dropped: it is there, and has no name.
-void keep_without_name(double deviance, AxisOutcome& outcome) {
-  const double of_noise = kMuch * static_cast<double>(outcome.diagnosis.fit.signals().rows);
-  if (!(deviance > of_noise && deviance > outcome.leftover.gain)) return;
-  if (!(outcome.leftover.gain > 0.0)) outcome.leftover.torque_share = 0.5;
-  outcome.leftover.gain = deviance;
-}
-
 /// `dropped`: deviance of the names that lasting noise explains.
 void tell_wandering_from_noise(double dropped, AxisOutcome& outcome) {
   const AxisFit& fit = outcome.diagnosis.fit;
   if (!(dropped > 0.0) && outcome.leftover.functions.empty()) return;
   if (wanders(fit))
-    keep_without_name(dropped, outcome);
+    outcome.keep_without_name(dropped);
   else if (is_lasting_noise(fit, outcome.leftover))
     outcome.leftover = {};
 }
@@ -172,7 +164,7 @@ void tell_wandering_from_noise(double dropped, AxisOutcome& outcome) {
 void keep_surprises(AxisOutcome& outcome) {
   const Surprises surprises = surprises_of(outcome.diagnosis.fit);
   if (outcome.diagnosis.found.empty() && surprises.share > kMostSurprising)
-    keep_without_name(surprises.deviance, outcome);
+    outcome.keep_without_name(surprises.deviance);
 }
 
 /// Lags that the input's news explain as well, unless structure is left without them: noise has none.
@@ -220,6 +212,13 @@ void drop_what_needs_no_names(AxisOutcome& outcome) {
 }
 
 }  // namespace
+
+void AxisOutcome::keep_without_name(double deviance, double torque_share) {
+  const double of_noise = kMuch * static_cast<double>(diagnosis.fit.signals().rows);
+  if (!(deviance > of_noise && deviance > leftover.gain)) return;
+  if (!(leftover.gain > 0.0)) leftover.torque_share = torque_share;
+  leftover.gain = deviance;
+}
 
 double AxisOutcome::threshold() const { return std::max(least_function(), noise_evidence); }
 

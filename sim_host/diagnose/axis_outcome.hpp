@@ -44,6 +44,8 @@ struct AxisOutcome {
   }
   /// As much of it as sits in one balance of the axis.
   [[nodiscard]] double unnamed_deviance_in(gap::Balance balance) const;
+  /// What more than noise may be worth is there, and has no name. `torque_share`: as in Leftover.
+  void keep_without_name(double deviance, double torque_share = 0.5);
   /// Deviance that all names together take.
   [[nodiscard]] double named_deviance() const { return diagnosis.named_deviance(); }
 };
@@ -51,6 +53,13 @@ struct AxisOutcome {
 /// Nothing where no row of the axis can be used.
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
                                       const DiagnosisOptions& options);
+
+/// Deviance that all names of all axes take.
+inline double named_deviance_of(std::span<const AxisOutcome> outcomes) {
+  double sum = 0.0;
+  for (const AxisOutcome& outcome : outcomes) sum += outcome.named_deviance();
+  return sum;
+}
 
 /// The last of it, for both axes together. What shakes one of them shakes the other: of nine names that were
 /// worth enough for their own axis's noise only, none was right.

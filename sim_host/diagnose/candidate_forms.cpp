@@ -33,10 +33,11 @@ class Forms {
   void add(Effect effect, std::uint8_t parts = 1, std::uint8_t kind = 0) { add(effect, {0.0}, parts, kind); }
   /// A load that passes with the teeth, and where the model has it already, its run-out, which would be taken
   /// for cogging.
-  void add_of_teeth(const GapModel& model, Effect effect) {
-    add(effect, 4);
-    if (has(model, effect, 0) && !has(model, effect, 1))
-      forms.push_back({.effect = effect, .kind = 1, .parts = 4});
+  void add_of_teeth(const GapModel& model, Effect effect, std::uint8_t kind = 0) {
+    const auto run_out = static_cast<std::uint8_t>(kind + 1);
+    add(effect, 4, kind);
+    if (has(model, effect, kind) && !has(model, effect, run_out))
+      forms.push_back({.effect = effect, .kind = run_out, .parts = 4});
   }
   /// A plain law, and the same with a bend.
   void add_bending(Effect effect, std::uint8_t kind = 0) {
@@ -62,6 +63,21 @@ bool varies(const RecordingSignals& signals, Channel channel) {
   return highest > lowest;
 }
 
+/// Does the tool cut while the spindle turns one way, and while it turns the other way?
+bool cuts_both_ways(const RecordingSignals& signals) {
+  constexpr std::size_t kSome = 20;  // one row of so many that are in contact
+  const auto& contact = signals.value[index_of(Channel::kContact)];
+  const auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
+  std::size_t forwards = 0;
+  std::size_t backwards = 0;
+  for (std::size_t k = 0; k < std::min(contact.size(), speed.size()); ++k) {
+    if (!(contact[k] > 0.5F)) continue;
+    forwards += speed[k] > 0.0F ? 1 : 0;
+    backwards += speed[k] < 0.0F ? 1 : 0;
+  }
+  return std::min(forwards, backwards) * kSome > forwards + backwards;
+}
+
 constexpr double kFastestResonance = 0.2;  // of the sampling rate
 
 // Of ball and lead screws, where the machine file knows none. A position alone, over strokes that repeat
@@ -77,6 +93,7 @@ void add_torques(Forms& forms, const RecordingSignals& signals, const GapModel& 
   forms.add(Effect::kSpindleCogging, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 18, 20, 24}, 2);
   if (signals.has(Channel::kContact)) {
     forms.add_of_teeth(model, Effect::kToothPassingTorque);
+    if (cuts_both_ways(signals)) forms.add_of_teeth(model, Effect::kToothPassingTorque, 2);
     forms.add_bending(Effect::kContactSpeedDependence);
     forms.add_bending(Effect::kToolWearRamp);
     if (varies(signals, Channel::kChipLoad)) forms.add_bending(Effect::kContactChipLoadDependence);

@@ -78,6 +78,7 @@ struct Togetherness {
 struct Evaluation {
   std::vector<Residuals> residuals;
   std::vector<Togetherness> togetherness;  ///< of each sensor
+  std::vector<std::size_t> fit;            ///< whose sensor it is
 };
 
 /// Rates of an axis's two sensors at the end of the interval that begins at a frame, as the model tells them:
@@ -126,7 +127,8 @@ bool knows_rates(const AxisFit& fit) {
 
 Evaluation look_at(const AxisFit& fit, const GapModel& model) {
   Evaluation evaluation{.residuals = std::vector<Residuals>(2 * kSensorsPerAxis),
-                        .togetherness = std::vector<Togetherness>(kSensorsPerAxis)};
+                        .togetherness = std::vector<Togetherness>(kSensorsPerAxis),
+                        .fit = {}};
   Rates rates(fit.axis(), fit.signals(), model);
   const double period_s = 1.0 / fit.signals().rate_hz;
   run_observer(fit.axis(), fit.signals(), model, 0, fit.signals().rows, [&](const Innovation& v) {
@@ -197,9 +199,11 @@ Evaluation evaluate(std::span<const AxisFit* const> fits, double share_of_curren
     of_axis[i] = look_at(*fits[i], model);
   });
   Evaluation all;
-  for (const auto& [residuals, togetherness] : of_axis) {
-    all.residuals.insert(all.residuals.end(), residuals.begin(), residuals.end());
-    all.togetherness.insert(all.togetherness.end(), togetherness.begin(), togetherness.end());
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const Evaluation& one = of_axis[i];
+    all.residuals.insert(all.residuals.end(), one.residuals.begin(), one.residuals.end());
+    all.togetherness.insert(all.togetherness.end(), one.togetherness.begin(), one.togetherness.end());
+    all.fit.insert(all.fit.end(), one.togetherness.size(), i);
   }
   return all;
 }
@@ -291,25 +295,40 @@ double relative_error(const Evaluation& evaluation, const Jitter& jitter) {
   return kProbe / std::sqrt(std::max(rise, kProbe * kProbe));
 }
 
+/// The sensor that shakes most, where it is no clock.
+Shaking of_law(const Judged& judged) {
+  Shaking shaking;
+  if (!exceeds_stated_noise(judged)) return shaking;
+  const double jitter_s2 = judged.jitter.size_s * judged.jitter.size_s;
+  for (std::size_t sensor = 0; sensor < judged.evaluation.togetherness.size(); ++sensor) {
+    const double evidence = evidence_of(judged.evaluation, sensor, jitter_s2);
+    if (!(evidence > shaking.of_law)) continue;
+    shaking.of_law = evidence;
+    shaking.fit = judged.evaluation.fit[sensor];
+    shaking.sensor = sensor % kSensorsPerAxis;
+  }
+  return shaking;
+}
+
 }  // namespace
 
-std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits) {
-  if (fits.empty()) return std::nullopt;
+Shaking find_shaking(std::span<const AxisFit* const> fits) {
+  if (fits.empty()) return {};
   const double period_s = 1.0 / fits.front()->signals().rate_hz;
   Evaluation evaluation = evaluate(fits, 1.0);
   const Jitter best = best_jitter(evaluation, period_s);
   const double evidence = unlikeliness(evaluation, 0.0) - best.unlikeliness;
   const Judged first{std::move(evaluation), best};
+  if (!(evidence > kLeastEvidence)) return {};
   const double shared = doubt_about(first).shared;
-  if (!(evidence > kLeastEvidence) || shared > kMostShared || shared < kLeastSharedAtFirst)
-    return std::nullopt;
+  if (shared > kMostShared || shared < kLeastSharedAtFirst) return of_law(first);
   const Judged last = with_its_noise(fits, first, period_s);
   const Doubt doubt = doubt_about(last);
-  if (doubt.is_refuted || doubt.shared > kMostShared || doubt.shared < kLeastShared) return std::nullopt;
-  if (!exceeds_stated_noise(last)) return std::nullopt;
+  if (doubt.is_refuted || doubt.shared > kMostShared || doubt.shared < kLeastShared) return of_law(first);
+  if (!exceeds_stated_noise(last)) return {};
   const double error = std::hypot(relative_error(first.evaluation, first.jitter), kSizeError);
-  return SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, last.jitter.size_s,
-                       error * last.jitter.size_s, evidence};
+  return {.of_clock = SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, last.jitter.size_s,
+                                    error * last.jitter.size_s, evidence}};
 }
 
 }  // namespace morepro::host

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -7,9 +8,17 @@
 
 namespace morepro::host {
 
-/// Instants of sampling that are not where the time stamps say: what a fitted model leaves is noisier the
-/// faster a signal changes. One jitter for all sensors of all axes. Nothing where neighbouring residuals go
-/// together: then a law is wrong and not the clock.
-std::optional<SamplingFault> find_jitter(std::span<const AxisFit* const> fits);
+/// What a fitted model leaves is noisier the faster a signal changes.
+struct Shaking {
+  /// Instants of sampling that are not where the time stamps say: one jitter for all sensors of all axes.
+  std::optional<SamplingFault> of_clock{};
+  /// Deviance of one sensor, where neighbouring residuals go together, or another sensor says that the clock
+  /// is right: then a law is wrong. No noise knows how fast something changes.
+  double of_law = 0.0;
+  std::size_t fit = 0;     ///< whose sensor
+  std::size_t sensor = 0;  ///< of the axis
+};
+
+Shaking find_shaking(std::span<const AxisFit* const> fits);
 
 }  // namespace morepro::host

@@ -146,14 +146,9 @@ class Diagnosis {
   void look_for_jitter() {
     std::vector<const AxisFit*> fits;
     for (const AxisOutcome& outcome : outcomes_) fits.push_back(&outcome.diagnosis.fit);
-    const auto jitter = find_jitter(fits);
-    if (jitter && jitter->evidence >= kLeastShare * named_deviance()) faults_.push_back(*jitter);
-  }
-
-  double named_deviance() const {
-    double sum = 0.0;
-    for (const AxisOutcome& outcome : outcomes_) sum += outcome.named_deviance();
-    return sum;
+    const auto [jitter, of_law, fit, sensor] = find_shaking(fits);
+    if (jitter && jitter->evidence >= kLeastShare * named_deviance_of(outcomes_)) faults_.push_back(*jitter);
+    if (of_law > 0.0) outcomes_[fit].keep_without_name(of_law, sensor == 0 ? 1.0 : 0.0);
   }
 
   void leave_out_excluded_faults() {
@@ -186,7 +181,7 @@ class Diagnosis {
     }
     result_.bootstrap_runs = options_.bootstrap_runs;
     result_.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
-    const bool has_effect = named > 0.0 || !faults_.empty();
+    const bool has_effect = causes > 0 || !faults_.empty();
     if (deviance < structure_left_by(faults_) * static_cast<double>(signals_.rows)) unnamed = 0.0;
     if (outcomes_.empty() || !has_excitation)
       result_.verdict = Verdict::kInsufficientExcitation;
@@ -214,7 +209,7 @@ class Diagnosis {
     return "nothing moves enough in the recording to tell a single parameter";
   }
 
-  /// Another sensor has the same fault, or an effect was found in two kinds of its law.
+  // By a fault of another sensor, or in another kind of its law.
   [[nodiscard]] bool is_named(Effect effect) const {
     return std::any_of(result_.which.begin(), result_.which.end(),
                        [effect](const EffectResult& e) { return e.effect == effect; });
@@ -227,11 +222,12 @@ class Diagnosis {
 
   /// Rows, and pieces that were not fitted to, have the last word on whether names explain the gap.
   void reconsider() {
-    const bool has_say = faults_.empty() && !names_a_play();
-    const bool is_kept = has_say && keeps_a_gap(result_.where);
+    const bool has_say = faults_.empty() && !names_a_play() && !outcomes_.empty();
+    const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
     const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);
-    const bool is_left = result_.verdict == Verdict::kEffect && has_say &&
-                         (is_kept || is_hardly_closed(result_.shrinkage, result_.where));
+    const bool is_left = is_kept ? !is_unexplained() && result_.verdict != Verdict::kInsufficientExcitation
+                                 : result_.verdict == Verdict::kEffect && has_say &&
+                                       is_hardly_closed(result_.shrinkage, result_.where);
     is_judged_by_share_ = is_closed || is_left;
     if (!is_judged_by_share_) return;
     result_.verdict = is_closed ? Verdict::kEffect : Verdict::kUnexplained;

@@ -33,17 +33,6 @@ double share_of(std::span<const BalanceRows> balances, std::span<const double> f
   return open > 0.0 ? std::clamp(closed / open, -1.0, 1.0) : 0.0;
 }
 
-/// Of what the refitted model predicts worse than noise lets, how much is gone with the effects; all of it
-/// where nothing was to be gained.
-double share_predicted(const std::optional<ModelComparison>& models) {
-  if (!models) return 1.0;
-  const auto excess = [&models](const ModelError& error) {
-    return error.value * error.value - models->noise_floor * models->noise_floor;
-  };
-  const double before = excess(models->refit);
-  return before > 0.0 ? 1.0 - excess(models->with_effect) / before : 1.0;
-}
-
 /// Is a model that runs free beyond noise, and as far with the effects as without them, wherever they act?
 bool runs_as_far(const Comparisons& free_run) {
   constexpr double kBeyondNoise = 1.05;
@@ -59,6 +48,15 @@ bool runs_as_far(const Comparisons& free_run) {
 }
 
 }  // namespace
+
+double share_predicted(const std::optional<ModelComparison>& models) {
+  if (!models) return 1.0;
+  const auto excess = [&models](const ModelError& error) {
+    return error.value * error.value - models->noise_floor * models->noise_floor;
+  };
+  const double before = excess(models->refit);
+  return before > 0.0 ? 1.0 - excess(models->with_effect) / before : 1.0;
+}
 
 void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
                   std::uint64_t seed, Shrinkage& shrinkage) {
@@ -104,10 +102,14 @@ double share_kept(const BalanceResult& balance) {
   return left / std::max(balance.residual_ratio - 1.0, left);
 }
 
-bool keeps_a_gap(std::span<const BalanceResult> where) {
+bool keeps_a_gap(const Shrinkage& shrinkage, std::span<const BalanceResult> where) {
   constexpr double kOfShapes = 0.1;
-  return std::any_of(where.begin(), where.end(),
-                     [](const BalanceResult& balance) { return share_kept(balance) > kOfShapes; });
+  constexpr double kRunsRight = 0.95;
+  return std::any_of(where.begin(), where.end(), [&](const BalanceResult& balance) {
+    const auto& free_run = shrinkage.free_run_nrmse[static_cast<std::size_t>(balance.balance)];
+    // Nor does a model run right whose errors have run away.
+    return share_kept(balance) > kOfShapes && !(share_predicted(free_run) >= kRunsRight);
+  });
 }
 
 bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult> where) {

@@ -8,9 +8,9 @@ namespace morepro::host {
 bool states_heat(const MachineParameters::Spindle& spindle);
 
 /// Where voltage, speed and current of the spindle were recorded and no temperature of its winding: fills in
-/// how the square of the current heats it, as the machine file states it. Where it does not, of the usual time
-/// constants by the one with which the drifts of resistance and magnet explain most, and by ten kelvins at
-/// the hottest: nobody knows how hot it was, so that a drift has no size.
+/// how the square of the current heats it, as the machine file states it. Where it does not, of the usual
+/// time constants by the one with which the drifts of resistance and magnet explain most, and by ten kelvins
+/// at the hottest: nobody knows how hot it was, so that a drift has no size.
 void heat_winding_by_current(RecordingSignals& signals, const GapModel& datasheet);
 
 /// Does the effect follow the temperature of a winding that was not recorded?

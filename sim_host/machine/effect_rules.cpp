@@ -18,7 +18,6 @@ constexpr double kLongestDelayS = 0.04;
 int highest_kind(Effect effect) {
   switch (effect) {
     case Effect::kSpindleCoulombFriction:
-    case Effect::kToothPassingTorque:
     case Effect::kFeedToothPassingForce:
     case Effect::kViscousTemperatureDependence:
     case Effect::kFeedCuttingSpeedDependence:
@@ -26,6 +25,8 @@ int highest_kind(Effect effect) {
     case Effect::kMagnetTemperatureDrift:
     case Effect::kCurrentNonlinearity:
       return 1;
+    case Effect::kToothPassingTorque:
+      return 3;
     case Effect::kShaftCompliance:
       return gap::kShaftDampings - 1;
     default:

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "sim_host/simulate/simulated_machine.hpp"
-#include "tests/unit/diagnose_support.hpp"
+#include "tests/unit/driven_spindle.hpp"
 
 namespace morepro::host {
 namespace {
@@ -124,6 +124,20 @@ TEST(ClockJitter, IsNotWhatAWrongLawLeaves) {
     for (const EffectResult& found : result.which)
       EXPECT_NE(found.effect, Effect::kClockJitter) << said(result);
   }
+}
+
+// An inductance that depends on the rotor's angle is in no catalogue, and what it leaves is nothing but
+// noisier where the current changes: it passed for ripple of the supply, and "parameter_error" was the
+// answer.
+TEST(ClockJitter, IsNotWhatOneSensorAloneShows) {
+  diagnose_test::DrivenSpindle spindle;
+  spindle.rows = 20000;
+  EXPECT_EQ(diagnosed(record(spindle), datasheet(0.1)).verdict, Verdict::kParameterError);
+  spindle.inductance_at = [](double angle_rad) { return 1.0 + 0.3 * std::sin(2.0 * angle_rad); };
+  const auto result = diagnosed(record(spindle), datasheet(0.1));
+  EXPECT_EQ(result.verdict, Verdict::kUnexplained) << said(result);
+  EXPECT_TRUE(result.which.empty()) << said(result);
+  EXPECT_TRUE(result.board_agrees);
 }
 
 TEST(ClockJitter, CanBeLeftOutOfTheCatalogue) {

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "sim_host/diagnose/share_closed.hpp"
 
 namespace morepro::host {
@@ -85,14 +88,23 @@ BalanceResult gap_of(double before, double after) {
 
 // A tenth of it, and of one that shows.
 TEST(KeptGap, IsMoreThanShapesLeave) {
-  EXPECT_TRUE(keeps_a_gap(std::array{gap_of(32.0, 32.0)}));
-  EXPECT_TRUE(keeps_a_gap(std::array{gap_of(11.0, 2.1)}));
-  EXPECT_FALSE(keeps_a_gap(std::array{gap_of(11.0, 1.9)}));
-  EXPECT_FALSE(keeps_a_gap(std::array{gap_of(1.29, 1.29)})) << "hardly shows";
-  EXPECT_TRUE(keeps_a_gap(std::array{gap_of(50.0, 1.0), gap_of(1.4, 1.4)})) << "any";
+  const Shrinkage wrong = run_free({}, 2.7, 2.0);
+  EXPECT_TRUE(keeps_a_gap(wrong, std::array{gap_of(32.0, 32.0)}));
+  EXPECT_TRUE(keeps_a_gap(wrong, std::array{gap_of(11.0, 2.1)}));
+  EXPECT_FALSE(keeps_a_gap(wrong, std::array{gap_of(11.0, 1.9)}));
+  EXPECT_FALSE(keeps_a_gap(wrong, std::array{gap_of(1.29, 1.29)})) << "hardly shows";
+  EXPECT_TRUE(keeps_a_gap(wrong, std::array{gap_of(50.0, 1.0), gap_of(1.4, 1.4)})) << "any";
   BalanceResult unevaluated = gap_of(11.0, 11.0);
   unevaluated.is_evaluated = false;
-  EXPECT_FALSE(keeps_a_gap(std::array{unevaluated}));
+  EXPECT_FALSE(keeps_a_gap(wrong, std::array{unevaluated}));
+}
+
+// Rows at 1 kHz were five times their noise beside a bias that explained everything.
+TEST(KeptGap, IsNoneOfAModelThatRunsRight) {
+  const std::array shown{gap_of(6.1, 5.9)};
+  EXPECT_FALSE(keeps_a_gap(run_free({}, 5.6, 1.1), shown));
+  EXPECT_TRUE(keeps_a_gap(run_free({}, 5.6, 1.7), shown));
+  EXPECT_TRUE(keeps_a_gap(run_free({}, 5.6, std::nan("")), shown)) << "diverges";
 }
 
 TEST(KeptGap, IsAShareOfIt) {

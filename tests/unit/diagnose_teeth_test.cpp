@@ -1,7 +1,7 @@
 // A cutter whose teeth do not run on one circle.
 #include <gtest/gtest.h>
 
-#include "tests/unit/diagnose_support.hpp"
+#include "tests/unit/driven_spindle.hpp"
 
 namespace morepro::host {
 namespace {
@@ -46,6 +46,23 @@ TEST(RunOut, IsNotWhatCoggingIs) {
   const auto result = diagnosed(record({.effects = effects, .duration_s = 5.0}), datasheet(0.1));
   ASSERT_EQ(result.which.size(), 2U) << said(result);
   EXPECT_EQ(result.which.back().effect, Effect::kSpindleCogging) << said(result);
+}
+
+// A tooth that cuts brakes whichever way the spindle turns: over both ways the same sine of the angle is
+// nothing on average, and was 0.4 of its size and "unexplained".
+TEST(ToothPassing, BrakesEitherWay) {
+  constexpr double kSizeNm = 0.02;
+  diagnose_test::DrivenSpindle spindle;
+  spindle.brake_at = [](const diagnose_test::SpindleState& x, double contact) {
+    const double teeth = reference_machine().tool.teeth;
+    return contact * kSizeNm * std::tanh(x.speed_rad_s) * std::sin(teeth * x.angle_rad + 0.7);
+  };
+  const auto result = diagnosed(record(spindle), datasheet(0.1));
+  EXPECT_EQ(result.verdict, Verdict::kEffect) << said(result);
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_EQ(result.which.front().effect, Effect::kToothPassingTorque) << said(result);
+  EXPECT_NEAR(result.which.front().magnitude, kSizeNm, 0.03 * kSizeNm);
+  EXPECT_TRUE(result.board_agrees);
 }
 
 }  // namespace
