@@ -38,9 +38,10 @@ Real stribeck(Effect effect, Real speed, Real range, int part) {
   return -side(speed, static_cast<Real>(stribeck_side(effect)) * range) * breakaway(speed, range, part);
 }
 
-/// Sine (part 0, 2, ..) or cosine (1, 3, ..) of the angle, twice the angle (parts 2 and 3), ..
+/// Sine (part 0, 2, ..) or cosine (1, 3, ..) of the angle, twice the angle (parts 2 and 3), .. Never copied
+/// into its callers: it is large.
 template <class Real>
-Real harmonic(Real angle_rad, int part) {
+[[gnu::noinline]] Real harmonic(Real angle_rad, int part) {
   const Real angle = angle_rad * static_cast<Real>(1 + part / 2);
   return part % 2 == 0 ? math::sin(angle) : math::cos(angle);
 }
@@ -56,6 +57,15 @@ Real spindle_harmonic(const EffectSignals<Real>& s, Real multiple, int part) {
   return harmonic(multiple * s.angle_rad, part);
 }
 
+/// A load that passes with the teeth; kind 1: run-out, by which one tooth cuts more than another. Kinds 2 and
+/// 3: the same of a torque that brakes either way the spindle turns.
+template <class Real>
+Real tooth_load(const EffectForm& form, int part, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
+  if (s.contact == Real(0)) return Real(0);
+  const Real contact = form.kind >= 2 && s.speed_rad_s < Real(0) ? -s.contact : s.contact;
+  return contact * spindle_harmonic(s, form.kind % 2 == 0 ? k.teeth : Real(1), part);
+}
+
 // Of the reference speed: where a load of the cut changes its side.
 inline constexpr float kSmoothShare = 0.002F;
 
@@ -64,15 +74,6 @@ template <class Real>
 Real cut_side(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
   if (s.contact == Real(0)) return Real(0);
   return s.contact * side(s.speed_rad_s, static_cast<Real>(kSmoothShare) * k.speed_rad_s);
-}
-
-/// A load that passes with the teeth; kind 1: run-out, by which one tooth cuts more than another. Kinds 2 and
-/// 3: the same of a torque that brakes either way the spindle turns.
-template <class Real>
-Real tooth_load(const EffectForm& form, int part, const EffectSignals<Real>& s, const EffectScales<Real>& k) {
-  if (s.contact == Real(0)) return Real(0);
-  const Real load = spindle_harmonic(s, form.kind % 2 == 0 ? k.teeth : Real(1), part);
-  return load * (form.kind < 2 ? s.contact : cut_side(s, k));
 }
 
 /// Torque in N m on the spindle, added to Kt i.

@@ -118,8 +118,14 @@ std::string second_part_of(gap::Effect effect) {
 
 /// Another law of the same effect; empty where there is none.
 std::string second_kind_of(gap::Effect effect) {
-  if (effect != gap::Effect::kSpindleCoulombFriction) return {};
-  return "M = -a z, dz/dth = (sign(w) - z) / shape (Dahl), shape in rad";
+  switch (effect) {
+    case gap::Effect::kSpindleCoulombFriction:
+      return "kind = 1 in a machine file: M = -a z, dz/dth = (sign(w) - z) / shape (Dahl), shape in rad";
+    case gap::Effect::kToothPassingTorque:
+      return "kind = 2 in a machine file: it brakes either way, M = -Fc a sign(w) sin(z th + phase)";
+    default:
+      return {};
+  }
 }
 
 void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
@@ -131,8 +137,7 @@ void print_detail(const EffectInfo& info, const EffectsArguments& arguments) {
   print_line("equation", info.equation);
   if (const std::string second = second_part_of(info.effect); !second.empty())
     print_line("finer", "coefficients = [a, b] in a machine file: " + second);
-  if (const std::string second = second_kind_of(info.effect); !second.empty())
-    print_line("also", "kind = 1 in a machine file: " + second);
+  if (const std::string second = second_kind_of(info.effect); !second.empty()) print_line("also", second);
   print_line("reference point", fmt::format("{} ({})", reference, arguments.machine));
   print_line("needs", info.excitation);
   print_line("looks like", aliases.empty() ? "no other" : aliases);
