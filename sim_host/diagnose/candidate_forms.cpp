@@ -103,7 +103,7 @@ void add_torques(Forms& forms, const RecordingSignals& signals, const GapModel& 
   if (varies(signals, Channel::kToolTemperature)) forms.add(Effect::kViscousTemperatureDependence, 1, 1);
   if (signals.has(Channel::kArmatureCurrent)) forms.add_bending(Effect::kTorqueConstantSaturation);
   // Faster resonances cannot be told from how the samples lie.
-  for (const double frequency_hz : {60, 120, 240, 480, 960})
+  for (const double frequency_hz : {60, 85, 120, 170, 240, 340, 480, 680, 960})
     if (frequency_hz < kFastestResonance * signals.rate_hz)
       forms.add(Effect::kShaftCompliance, {frequency_hz});
 }

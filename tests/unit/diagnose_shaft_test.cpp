@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "tests/unit/diagnose_support.hpp"
 
@@ -32,6 +33,20 @@ TEST_P(Shafts, AreOneCauseAndLeaveTheParametersAlone) {
                                     [](const auto& p) { return p.name == "inertia_kgm2"; });
   ASSERT_NE(inertia, result.parameters.end());
   EXPECT_NEAR(inertia->refit, machine.spindle.inertia_kgm2, 0.005 * machine.spindle.inertia_kgm2);
+}
+
+// A resonance that hardly anything damps is seen near its frequency alone: between those that are tried it
+// was structure without a name.
+TEST(LightlyDampedShaft, IsFoundBetweenTheFrequenciesThatAreTried) {
+  for (const auto& [frequency_hz, ratio] : {std::pair{85.0F, 0.1}, std::pair{175.0F, 0.3}}) {
+    const gap::AppliedEffect light{
+        .form = {.effect = Effect::kShaftCompliance, .kind = 2, .parts = 2, .shape = frequency_hz},
+        .coefficient = {ratio, 1.0 + ratio}};
+    const auto result = diagnosed(record({.effects = {light}, .duration_s = 4.0}), datasheet(0.0));
+    EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result) << " at " << frequency_hz;
+    ASSERT_EQ(result.which.size(), 1U) << said(result) << " at " << frequency_hz;
+    EXPECT_EQ(result.which.front().effect, Effect::kShaftCompliance);
+  }
 }
 
 std::string name_of_shaft(const testing::TestParamInfo<gap::AppliedEffect>& one) {
