@@ -11,6 +11,8 @@ namespace {
 
 using gap::Effect;
 
+constexpr double kNoEvidence = -1.0e300;
+
 /// Is there anything between the shapes that were tried? Periods are whole numbers, pitches are standard.
 bool has_shape(const gap::EffectForm& form) {
   return form.shape > 0.0F && form.effect != Effect::kSpindleCogging &&
@@ -26,7 +28,13 @@ bool is_known(const GapModel& model, Effect effect) {
 double evidence_of(double rss, double gain, double rows, double freedom) {
   const double left = std::max(rss - gain, 1.0e-9 * rss);
   const double evidence = rows * std::log(rss / left) - freedom * std::log(std::max(rows, 2.0));
-  return std::isfinite(evidence) ? evidence : -1.0e300;
+  return std::isfinite(evidence) ? evidence : kNoEvidence;
+}
+
+/// Of the forms of each effect.
+void keep_best(std::map<Effect, Candidate>& best, const Candidate& candidate) {
+  const auto [place, is_new] = best.emplace(candidate.form.effect, candidate);
+  if (!is_new && candidate.evidence > place->second.evidence) place->second = candidate;
 }
 
 std::vector<gap::EffectForm> around(gap::EffectForm form, double centre, double spread) {
@@ -126,6 +134,7 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
   std::map<Effect, int> shapes;
   for (const auto& form : forms) ++shapes[form.effect];
   std::map<Effect, Candidate> best;
+  std::map<Effect, Candidate> wrong_way;
   auto column = static_cast<Eigen::Index>(parameter_count(axis.axis()));
   for (const gap::EffectForm& form : forms) {
     Eigen::VectorXd coefficient;
@@ -137,17 +146,18 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
                         .coefficient = {}};
     candidate.coefficient.assign(coefficient.data(), coefficient.data() + coefficient.size());
     column += form.parts;
-    if (gap::acts_one_way(form.effect) && !(candidate.coefficient[0] > 0.0) &&
-        !is_known(axis.model(), form.effect))
-      continue;
-    const auto place = best.find(form.effect);
-    if (place == best.end())
-      best.emplace(form.effect, candidate);
-    else if (candidate.evidence > place->second.evidence)
-      place->second = candidate;
+    const bool is_impossible = gap::acts_one_way(form.effect) && !(candidate.coefficient[0] > 0.0) &&
+                               !is_known(axis.model(), form.effect);
+    keep_best(is_impossible ? wrong_way : best, candidate);
   }
   std::vector<Candidate> ranked;
   for (auto& [effect, candidate] : best) ranked.push_back(std::move(candidate));
+  // What cannot have been there from the start may have set in later.
+  for (auto& [effect, candidate] : wrong_way) {
+    if (best.contains(effect)) continue;
+    candidate.evidence = kNoEvidence;
+    ranked.push_back(std::move(candidate));
+  }
   std::sort(ranked.begin(), ranked.end(),
             [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
   return ranked;
@@ -170,6 +180,7 @@ void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vecto
     candidate.onset_s = start.onset_s;
     candidate.coefficient.assign(start.coefficient.begin(), start.coefficient.end());
   }
+  std::erase_if(ranked, [](const Candidate& c) { return !(c.evidence > kNoEvidence); });
   std::sort(ranked.begin(), ranked.end(),
             [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
 }
@@ -180,7 +191,7 @@ Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   if (!has_shape(candidate.form)) return finest;
   AxisFit part = axis;
   part.narrow_down();
-  finest.evidence = -1.0e300;
+  finest.evidence = kNoEvidence;
   const bool is_pure_shape = gap::size_is_shape(candidate.form.effect) && candidate.form.parts == 1;
   double centre = static_cast<double>(candidate.form.shape);
   // Half of a lag looks like half as long a lag.

@@ -17,11 +17,13 @@ struct Candidate {
   double onset_s = 0.0;  ///< sets in there
 };
 
-/// Every effect once, by its best form, most evidence first.
+/// Every effect once, by its best form, most evidence first. Last those that would have to act the wrong way,
+/// with no evidence: over all of the recording, that is.
 std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics& statistics,
                                        const std::vector<gap::EffectForm>& forms);
 
-/// Lets every candidate set in later where that takes more than chance makes it; most evidence first again.
+/// Lets every candidate set in later where that takes more than chance makes it; most evidence first again,
+/// without those that are impossible even so.
 void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vector<Candidate>& ranked);
 
 /// The same with the onset within its block, and the shape between the grid's, that take most of a part of
