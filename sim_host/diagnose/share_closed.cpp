@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -51,6 +52,7 @@ bool runs_as_far(const Comparisons& free_run) {
 
 double share_predicted(const std::optional<ModelComparison>& models) {
   if (!models) return 1.0;
+  if (!std::isfinite(models->with_effect.value)) return -std::numeric_limits<double>::infinity();
   const auto excess = [&models](const ModelError& error) {
     return error.value * error.value - models->noise_floor * models->noise_floor;
   };
@@ -107,8 +109,7 @@ bool keeps_a_gap(const Shrinkage& shrinkage, std::span<const BalanceResult> wher
   constexpr double kRunsRight = 0.95;
   return std::any_of(where.begin(), where.end(), [&](const BalanceResult& balance) {
     const auto& free_run = shrinkage.free_run_nrmse[static_cast<std::size_t>(balance.balance)];
-    // Nor does a model run right whose errors have run away.
-    return share_kept(balance) > kOfShapes && !(share_predicted(free_run) >= kRunsRight);
+    return share_kept(balance) > kOfShapes && share_predicted(free_run) < kRunsRight;
   });
 }
 

@@ -23,7 +23,7 @@ void share_closed(std::span<const BalanceRows> balances, std::span<const Unnamed
                   std::uint64_t seed, Shrinkage& shrinkage);
 
 /// Of what the refitted model predicts worse than noise lets, how much is gone with the effects; all of it
-/// where nothing was to be gained.
+/// where nothing was to be gained, less than nothing where the errors run away.
 double share_predicted(const std::optional<ModelComparison>& models);
 
 /// Is so little left of the gap, in pieces that were not fitted to, that names explain it, whatever
