@@ -66,6 +66,12 @@ inline MonitorConfiguration noiseless() {
   return configuration;
 }
 
+/// The next sample of a recording that is made here.
+inline void show(RecordingSignals& signals, Channel channel, double value) {
+  signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(channel));
+  signals.value[index_of(channel)].push_back(static_cast<float>(value));
+}
+
 inline void leave_out(RecordingSignals& signals, Channel channel) {
   signals.value[index_of(channel)].clear();
   signals.recorded = static_cast<std::uint16_t>(signals.recorded & ~bit_of(channel));

@@ -36,20 +36,16 @@ inline RecordingSignals record(const DrivenAxis& axis) {
   RecordingSignals signals;
   signals.rate_hz = axis.rate_hz;
   signals.rows = axis.rows;
-  const auto show = [&](Channel channel, double value) {
-    signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(channel));
-    signals.value[index_of(channel)].push_back(static_cast<float>(value));
-  };
   double place_m = 0.0;
   double speed_m_s = 0.0;
   for (std::size_t row = 0; row < signals.rows; ++row) {
     const double behind_m = wanted_m(signals.time_s(row)) - place_m;
     const double force_n = feed.mass_kg * (4.0e4 * behind_m - 300.0 * speed_m_s);
-    show(Channel::kFeedForce, force_n);
+    show(signals, Channel::kFeedForce, force_n);
     if (axis.has_speed)
-      show(Channel::kFeedSpeed,
+      show(signals, Channel::kFeedSpeed,
            speed_m_s + configuration.sensors[Channel::kFeedSpeed].noise * normal(random));
-    show(Channel::kFeedPosition, place_m + axis.position_noise_m * normal(random));
+    show(signals, Channel::kFeedPosition, place_m + axis.position_noise_m * normal(random));
     const double random_n = axis.random_force_n * normal(random);
     for (int step = 0; step < kSteps; ++step) {
       const double left_n =

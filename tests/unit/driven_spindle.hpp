@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <random>
 
 #include "lib/plant/contact_law.hpp"
@@ -48,21 +49,17 @@ inline RecordingSignals record(const DrivenSpindle& spindle) {
   RecordingSignals signals;
   signals.rate_hz = spindle.rate_hz;
   signals.rows = spindle.rows;
-  const auto show = [&](Channel channel, double value) {
-    signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(channel));
-    signals.value[index_of(channel)].push_back(static_cast<float>(value));
-  };
   const auto show_noisy = [&](Channel channel, double value) {
-    show(channel, value + configuration.sensors[channel].noise * normal(random));
+    show(signals, channel, value + configuration.sensors[channel].noise * normal(random));
   };
   SpindleState x;
   for (std::size_t row = 0; row < signals.rows; ++row) {
     const double time_s = signals.time_s(row);
     const double voltage_v = driving_v(time_s);
     const double contact = std::fmod(time_s, 0.25) < 0.15 ? 1.0 : 0.0;
-    show(Channel::kArmatureVoltage, voltage_v);
-    show(Channel::kContact, contact);
-    show(Channel::kToolTemperature, tool_degc);
+    show(signals, Channel::kArmatureVoltage, voltage_v);
+    show(signals, Channel::kContact, contact);
+    show(signals, Channel::kToolTemperature, tool_degc);
     show_noisy(Channel::kSpindleSpeed, x.speed_rad_s);
     show_noisy(Channel::kArmatureCurrent, x.current_a);
     for (int step = 0; step < kSteps; ++step) {
