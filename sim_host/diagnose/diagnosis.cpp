@@ -222,12 +222,13 @@ class Diagnosis {
 
   /// Rows, and pieces that were not fitted to, have the last word on whether names explain the gap.
   void reconsider() {
-    const bool has_say = faults_.empty() && !names_a_play() && !outcomes_.empty();
+    const bool has_say =
+        result_.verdict != Verdict::kInsufficientExcitation && faults_.empty() && !names_a_play();
     const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
     const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);
-    const bool is_left = is_kept ? !is_unexplained() && result_.verdict != Verdict::kInsufficientExcitation
-                                 : result_.verdict == Verdict::kEffect && has_say &&
-                                       is_hardly_closed(result_.shrinkage, result_.where);
+    const bool is_left = has_say && !is_unexplained() &&
+                         (is_kept || (result_.verdict == Verdict::kEffect &&
+                                      is_hardly_closed(result_.shrinkage, result_.where)));
     is_judged_by_share_ = is_closed || is_left;
     if (!is_judged_by_share_) return;
     result_.verdict = is_closed ? Verdict::kEffect : Verdict::kUnexplained;
