@@ -64,7 +64,7 @@ inline constexpr int kMostDoublings = 50;
 /// + - * / only: the same bits on every machine. Error in double below 1e-14 of |exp(A h)| (and h for the
 /// integral) for |A h| <= 10, growing with |A h|; float: 1e-6. NaN where a or h is not finite.
 template <class Real>
-constexpr BasicExponentialStep2<Real> exponential_step(const BasicMatrix2<Real>& a,
+[[gnu::noinline]] constexpr BasicExponentialStep2<Real> exponential_step(const BasicMatrix2<Real>& a,
                                                        std::type_identity_t<Real> h) {
   int doublings = 0;
   for (Real norm = detail::row_sum_norm(a) * detail::absolute(h);
@@ -74,6 +74,7 @@ constexpr BasicExponentialStep2<Real> exponential_step(const BasicMatrix2<Real>&
   }
   const BasicMatrix2<Real> z = a * h;
   BasicMatrix2<Real> series = BasicMatrix2<Real>{}.plus_identity();
+#pragma GCC unroll 1  // in double, without a unit for it, the series unrolled is 4 KB of calls
   for (int k = detail::kSeriesTerms<Real> + 1; k >= 2; --k)
     series = (z * series * (Real(1) / Real(k))).plus_identity();
 

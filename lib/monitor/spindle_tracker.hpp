@@ -30,7 +30,7 @@ class SpindleTracker {
   using Measurement = SpindleMeasurement<float>;
   using Input = SpindleInput<float>;
 
-  explicit SpindleTracker(const MonitorConfiguration& c)
+  [[gnu::cold]] explicit SpindleTracker(const MonitorConfiguration& c)
       : period_s_(static_cast<float>(1.0 / c.sampling.rate_hz)),
         step_(make_spindle_step<float>(c.machine.spindle, 1.0 / c.sampling.rate_hz)),
         chip_loads_(lanes_of(c.grid)),
