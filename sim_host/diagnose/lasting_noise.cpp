@@ -30,8 +30,8 @@ using Weights = Eigen::Matrix<double, kWeights, 1>;
 
 /// Rows of one sensor in a piece of the recording, zero where it has none, and sums of those before.
 struct PieceOfSensor {
-  explicit PieceOfSensor(Eigen::Index width) : raw(RowMatrix::Zero(kOldest + kPieceRows, width)) {
-    past.fill(RowMatrix::Zero(kPieceRows, width));
+  explicit PieceOfSensor(Eigen::Index width) : raw(Eigen::MatrixXd::Zero(kOldest + kPieceRows, width)) {
+    past.fill(Eigen::MatrixXd::Zero(kPieceRows, width));
     news.setZero();
   }
 
@@ -50,8 +50,8 @@ struct PieceOfSensor {
     counts = {};
   }
 
-  RowMatrix raw;  ///< [columns | innovation]: the last ones of the piece before, then this one's
-  std::array<RowMatrix, kAges.size()> past;  ///< of each group of ages
+  Eigen::MatrixXd raw;  ///< [columns | innovation]: the last ones of the piece before, then this one's
+  std::array<Eigen::MatrixXd, kAges.size()> past;  ///< of each group of ages
   Eigen::Matrix<double, kPieceRows, kTaps> news;
   std::array<bool, kPieceRows> counts{};
 };
@@ -123,25 +123,27 @@ class PastAndPresent {
     now = own.raw.bottomRows(kPieceRows);
     Eigen::Index next = 0;
     for (const PieceOfSensor* of : std::array<const PieceOfSensor*, 2>{&own, &sensors_[1 - sensor]})
-      for (const RowMatrix& past : of->past) {
+      for (const Eigen::MatrixXd& past : of->past) {
         batch_.col(next) = past.rightCols(1);
         now -= weights_[sensor](next++) * past;
       }
     batch_.middleCols(next, kTaps) = own.news;
     now.rightCols(1) -= own.news * weights_[sensor].tail(kTaps);
+    Eigen::Array<double, kPieceRows, 1> share;
     for (Eigen::Index i = 0; i < kPieceRows; ++i) {
       const bool counts = own.counts[static_cast<std::size_t>(i)];
       const double size = std::fabs(now(i, width_ - 1));
-      batch_.row(i) *= !counts ? 0.0 : size > kHuber ? std::sqrt(kHuber / size) : 1.0;
+      share(i) = !counts ? 0.0 : size > kHuber ? std::sqrt(kHuber / size) : 1.0;
       rows_[sensor] += counts ? 1.0 : 0.0;
     }
+    batch_.array().colwise() *= share;
     sums_[sensor].selfadjointView<Eigen::Lower>().rankUpdate(batch_.transpose());
   }
 
   PerSensor<Weights> weights_;
   Eigen::Index width_;
   const InputNews* news_;
-  RowMatrix batch_;
+  Eigen::MatrixXd batch_;
   PerSensor<PieceOfSensor> sensors_;
   PerSensor<Eigen::MatrixXd> sums_;
   PerSensor<double> rows_{};
