@@ -140,6 +140,23 @@ TEST(ClockJitter, IsNotWhatOneSensorAloneShows) {
   EXPECT_TRUE(result.board_agrees);
 }
 
+// Beside a gear that meshes unevenly, which shows in the speed, too, such an inductance passed for a jitter
+// at 97 %: the speed's own residuals follow its rate, all of them, or the current's do so by a quarter.
+TEST(ClockJitter, IsNotWhatLawsOfTheAxisMakeOfBothSensors) {
+  for (const double gear : {0.1, 0.01}) {
+    diagnose_test::DrivenSpindle spindle;
+    spindle.rows = 20000;
+    spindle.inductance_at = [](double angle_rad) { return 1.0 + 0.03 * std::sin(2.0 * angle_rad); };
+    spindle.brake_at = [gear](const diagnose_test::SpindleState& x, double) {
+      return gear * std::sin(7.3 * x.angle_rad) * 0.065 * x.current_a;
+    };
+    const auto result = diagnosed(record(spindle), datasheet(0.1));
+    EXPECT_EQ(result.verdict, Verdict::kUnexplained) << said(result);
+    for (const EffectResult& found : result.which)
+      EXPECT_NE(found.effect, Effect::kClockJitter) << gear << ": " << said(result);
+  }
+}
+
 TEST(ClockJitter, CanBeLeftOutOfTheCatalogue) {
   const auto result = diagnosed(record(shaken_clock()), datasheet(0.0), {Effect::kClockJitter});
   for (const EffectResult& found : result.which) EXPECT_NE(found.effect, Effect::kClockJitter);
