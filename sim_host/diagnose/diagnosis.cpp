@@ -62,8 +62,7 @@ class Diagnosis {
       result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
                                             kChannels[index_of(channel)].column));
     if (machine_.has_spindle) drive_by_current(signals_);
-    if (std::string lack = untested_effects(signals_, machine_); !lack.empty())
-      result_.notices.push_back(std::move(lack));
+    for (std::string& lack : untested_effects(signals_, machine_)) result_.notices.push_back(std::move(lack));
     faults_ = find_quantization(signals_, sensors);
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     if (signals_.missing_rows > 0) doubt_lost_inputs(signals_);

@@ -72,11 +72,32 @@ std::optional<Effect> twin_of(const Finding& finding) {
   return std::nullopt;
 }
 
-/// What would look the same and was not tried: of a current that nothing predicts, that it is shown late.
+/// What follows the speed is as slow there as whatever warms up.
+bool cuts_at_one_speed(const RecordingSignals& signals) {
+  constexpr double kOne = 0.1;  // deviation over mean: at one speed .03, with speeds that are told apart .16
+  double count = 0.0, sum = 0.0, squares = 0.0;
+  const auto& contact = signals.value[index_of(Channel::kContact)];
+  const auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
+  for (std::size_t row = 0; row < std::min(contact.size(), speed.size()); ++row) {
+    const auto speed_rad_s = std::fabs(static_cast<double>(speed[row]));
+    if (!(contact[row] > 0.5F) || !std::isfinite(speed_rad_s)) continue;
+    count += 1.0;
+    sum += speed_rad_s;
+    squares += speed_rad_s * speed_rad_s;
+  }
+  return count * squares < (1.0 + kOne * kOne) * sum * sum;
+}
+
+/// What would look the same and was not tried: of a current that nothing predicts, that it is shown late; of
+/// a tool whose temperature nobody has measured, that it gets warm.
 std::span<const Effect> untried_aliases(Effect effect, const AxisFit& fit) {
   static constexpr std::array kLateCurrent{Effect::kCurrentDelay, Effect::kCurrentBandwidth};
-  const bool is_late = effect == Effect::kShaftCompliance && fit.signals().is_current_driven;
-  return is_late ? kLateCurrent : std::span<const Effect>{};
+  static constexpr std::array kWarmTool{Effect::kContactTemperatureDependence};
+  const RecordingSignals& signals = fit.signals();
+  if (effect == Effect::kShaftCompliance && signals.is_current_driven) return kLateCurrent;
+  const bool is_slow = effect == Effect::kContactSpeedDependence || effect == Effect::kToolWearRamp;
+  const bool may_be_warm = is_slow && !signals.has(Channel::kToolTemperature) && cuts_at_one_speed(signals);
+  return may_be_warm ? kWarmTool : std::span<const Effect>{};
 }
 
 bool is_sized(const Finding& finding, const AxisFit& fit, double temperature) {

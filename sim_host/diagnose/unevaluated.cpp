@@ -81,21 +81,30 @@ void add_unevaluated(const RecordingSignals& signals, const MachineDescription& 
   }
 }
 
-std::string untested_effects(const RecordingSignals& signals, const MachineDescription& machine) {
+std::vector<std::string> untested_effects(const RecordingSignals& signals,
+                                          const MachineDescription& machine) {
+  const auto is_evaluated = [&](gap::Balance balance) {
+    return why_not_evaluated(balance, signals, machine).empty();
+  };
+  const auto column = [](Channel channel) { return kChannels[index_of(channel)].column; };
+  std::vector<std::string> untested;
+  if (signals.has_been_in_contact() && !signals.has(Channel::kToolTemperature) &&
+      is_evaluated(gap::Balance::kSpindleTorque))
+    untested.push_back(fmt::format("{} is not recorded: {} is not looked for",
+                                   column(Channel::kToolTemperature),
+                                   gap::name_of(gap::Effect::kContactTemperatureDependence)));
   if (signals.is_current_driven)
-    return fmt::format(
-        "{} is not recorded: the current drives the spindle; what acts on the voltage and how late the "
-        "current is shown are not looked for",
-        kChannels[index_of(Channel::kArmatureVoltage)].column);
-  const bool is_evaluated = why_not_evaluated(gap::Balance::kArmatureVoltage, signals, machine).empty();
-  if (!is_evaluated || states_heat(machine.configuration.machine.spindle) ||
-      signals.has(Channel::kWindingTemperature))
-    return "";
-  return fmt::format(
-      "{} is not recorded: it is taken from the square of the current, and {} and {} have no size",
-      kChannels[index_of(Channel::kWindingTemperature)].column,
-      gap::name_of(gap::Effect::kResistanceTemperatureDrift),
-      gap::name_of(gap::Effect::kMagnetTemperatureDrift));
+    untested.push_back(fmt::format(
+        "{} is not recorded: the current drives the spindle; what acts on the voltage and how late "
+        "the current is shown are not looked for",
+        column(Channel::kArmatureVoltage)));
+  else if (is_evaluated(gap::Balance::kArmatureVoltage) &&
+           !states_heat(machine.configuration.machine.spindle) && !signals.has(Channel::kWindingTemperature))
+    untested.push_back(fmt::format(
+        "{} is not recorded: it is taken from the square of the current, and {} and {} have no size",
+        column(Channel::kWindingTemperature), gap::name_of(gap::Effect::kResistanceTemperatureDrift),
+        gap::name_of(gap::Effect::kMagnetTemperatureDrift)));
+  return untested;
 }
 
 }  // namespace morepro::host

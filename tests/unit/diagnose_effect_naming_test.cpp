@@ -11,6 +11,7 @@
 #include "sim_host/diagnose/causes.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/effect_naming.hpp"
+#include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {
 namespace {
@@ -253,6 +254,41 @@ TEST_F(Naming, ListsTheCataloguesAliasesEarlier) {
 
 // Whoever sees a bristle bend sees dry friction; only where hardly any of it is that of a slide it is
 // another.
+/// Of a cut with two speeds, at rest before; `tool`: is its temperature recorded?
+RecordingSignals cut_at(double first_rad_s, double second_rad_s, bool tool) {
+  constexpr std::size_t kRows = 100;
+  RecordingSignals signals;
+  signals.rate_hz = 1000.0;
+  signals.rows = kRows;
+  for (std::size_t row = 0; row < kRows; ++row) {
+    const bool cuts = row >= kRows / 2;
+    const double cut_rad_s = row < 3 * kRows / 4 ? first_rad_s : second_rad_s;
+    diagnose_test::show(signals, Channel::kContact, cuts ? 1.0 : 0.0);
+    diagnose_test::show(signals, Channel::kSpindleSpeed, cuts ? cut_rad_s : 0.0);
+    diagnose_test::show(signals, Channel::kArmatureCurrent, 1.0);
+    if (tool) diagnose_test::show(signals, Channel::kToolTemperature, 20.0);
+  }
+  return signals;
+}
+
+// At one speed, and with the tool's temperature not recorded, five of five loads that were said to follow the
+// speed at 98 % followed something else, four of them that temperature (another simulator).
+TEST(NamingOfSlowLaws, ListAWarmToolWhereNobodyHasMeasuredItAndTheCutHasOneSpeed) {
+  const auto named = [](Effect effect, const RecordingSignals& signals) {
+    return named_effect(finding_of({{effect, 4000.0}}), AxisFit(Axis::kSpindle, signals, {}),
+                        {.threshold = 40.0});
+  };
+  for (const Effect slow : {Effect::kContactSpeedDependence, Effect::kToolWearRamp}) {
+    const EffectResult doubtful = named(slow, cut_at(300.0, 320.0, false));
+    EXPECT_EQ(doubtful.alias_set, (Effects{slow, Effect::kContactTemperatureDependence}));
+    EXPECT_NEAR(doubtful.confidence, 0.49, 1.0e-6);
+    EXPECT_EQ(named(slow, cut_at(300.0, 320.0, true)).alias_set, Effects{slow});
+    EXPECT_EQ(named(slow, cut_at(200.0, 320.0, false)).alias_set, Effects{slow});
+  }
+  EXPECT_EQ(named(Effect::kSpindleWindage, cut_at(300.0, 320.0, false)).alias_set,
+            Effects{Effect::kSpindleWindage});
+}
+
 TEST_F(Naming, ListsCoulombFrictionBesideABristle) {
   EXPECT_EQ(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 300.0}}).alias_set,
             (Effects{Effect::kFeedPresliding, Effect::kFeedCoulombFriction}));
