@@ -140,7 +140,7 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
     if (is_alias(rival) && !is_listed && effect.alias_set.size() < kMostAliases)
       effect.alias_set.push_back(rival.form.effect);
   }
-  effect.confidence = kBestRecord * (1.0 - context.unnamed_share) / sum;
+  effect.confidence = kBestRecord * std::max(1.0 - context.unnamed_share, 0.0) / sum;
   if (context.unnamed_share > most_unnamed(context.causes)) effect.confidence *= kBesideUnexplained;
   if (context.causes > kUsualCauses)
     effect.confidence *= context.is_strongest ? kStrongestOfMany : kOneOfMany;

@@ -25,12 +25,13 @@ constexpr double most_unnamed(std::size_t causes) {
 
 /// What the name of an effect is judged by, beside the finding itself.
 struct NamingContext {
-  double temperature = 1.0;    ///< of the axis, from the bootstrap
-  double threshold = 0.0;      ///< evidence that chance does not reach
-  double unnamed_share = 0.0;  ///< of the axis' excess, that no effect explains
-  std::size_t causes = 1;      ///< that the axis needs, as causes_of() counts them
-  bool may_be_one = false;     ///< as may_be_one_cause() tells
-  bool is_strongest = true;    ///< no other name of the axis has more evidence
+  double temperature = 1.0;  ///< of the axis, from the bootstrap
+  double threshold = 0.0;    ///< evidence that chance does not reach
+  /// Of the axis' excess, that no effect explains; above 1 where the effects make it worse.
+  double unnamed_share = 0.0;
+  std::size_t causes = 1;    ///< that the axis needs, as causes_of() counts them
+  bool may_be_one = false;   ///< as may_be_one_cause() tells
+  bool is_strongest = true;  ///< no other name of the axis has more evidence
 };
 
 /// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size,

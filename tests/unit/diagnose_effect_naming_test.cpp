@@ -301,6 +301,10 @@ TEST_F(Naming, IsHardlyBelievedBesideStructureWithoutAName) {
   EXPECT_NEAR(named({{Effect::kFeedSpring, 4000.0}}, 0.3).confidence, 0.07 * 0.98, 1.0e-6);
 }
 
+TEST_F(Naming, IsNotBelievedAtAllWhereItMakesTheGapLarger) {
+  EXPECT_EQ(named({{Effect::kFeedSpring, 4000.0}}, 1.3).confidence, 0.0);
+}
+
 TEST_F(Naming, OfManyCausesIsBelievedWhereItIsTheStrongest) {
   const auto confidence = [this](std::size_t causes, bool is_strongest) {
     return named_effect(finding_of({{Effect::kFeedSpring, 4000.0}}), fit,
