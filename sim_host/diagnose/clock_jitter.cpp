@@ -24,8 +24,11 @@ constexpr double kBinsPerDecade = 20.0;
 // By neighbours. The observer takes part of a jitter for a change of the state, which comes back with the
 // other sign: up to half of it, or more where process noise was fitted to a large jitter. Where a law is
 // wrong it is nearly all, of either sign, or less beside what else goes with rates: an inductance that
-// depends on the angle .27 to .49, jitters .19 at most.
+// depends on the angle .27 to .49, jitters .19 at most, of a third of an interval .45, inputs and samples
+// alike.
 constexpr double kMostShared = 0.25;
+constexpr double kMostSharedOfLarge = 0.45;
+constexpr double kLarge = 0.2;  // of an interval
 constexpr double kLeastShared = -0.6;
 constexpr double kLeastSharedAtFirst = -1.0;  // where process noise was fitted to a large jitter
 constexpr double kSizeError = 0.05;  // relative: between which two rates an instant lies is not recorded
@@ -303,6 +306,12 @@ double relative_error(const Evaluation& evaluation, const Jitter& jitter) {
   return kProbe / std::sqrt(std::max(rise, kProbe * kProbe));
 }
 
+/// Do neighbours share too much of a jitter, or too little, for a clock to have made it?
+bool is_shared_by_law(double shared, const Jitter& jitter, double period_s, double least_shared) {
+  const double most_shared = jitter.size_s > kLarge * period_s ? kMostSharedOfLarge : kMostShared;
+  return shared > most_shared || shared < least_shared;
+}
+
 /// The sensor that shakes most, where it is no clock.
 Shaking of_law(const Judged& judged) {
   Shaking shaking;
@@ -328,11 +337,11 @@ Shaking find_shaking(std::span<const AxisFit* const> fits) {
   const double evidence = unlikeliness(evaluation, 0.0) - best.unlikeliness;
   const Judged first{std::move(evaluation), best};
   if (!(evidence > kLeastEvidence)) return {};
-  const double shared = doubt_about(first).shared;
-  if (shared > kMostShared || shared < kLeastSharedAtFirst) return of_law(first);
+  if (is_shared_by_law(doubt_about(first).shared, best, period_s, kLeastSharedAtFirst)) return of_law(first);
   const Judged last = with_its_noise(fits, first, period_s);
   const Doubt doubt = doubt_about(last);
-  if (doubt.is_refuted || doubt.shared > kMostShared || doubt.shared < kLeastShared) return of_law(first);
+  if (doubt.is_refuted || is_shared_by_law(doubt.shared, last.jitter, period_s, kLeastShared))
+    return of_law(first);
   if (!exceeds_stated_noise(last)) return {};
   const double error = std::hypot(relative_error(first.evaluation, first.jitter), kSizeError);
   return {.of_clock = SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, last.jitter.size_s,
