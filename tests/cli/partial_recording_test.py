@@ -33,6 +33,15 @@ class PartialRecording(Diagnose):
         self.assertGreater(result["shrinkage"]["share_closed"], 0.9)
         self.assertTrue(torque["significant"])
 
+    def test_a_warm_tool_that_nobody_has_measured_is_not_taken_for_a_worn_one(self):
+        self.simulate("--effect", "contact_temperature_dependence=0.2", duration=8, profile="production")
+        self.keep_columns(*SPINDLE, "armature_current_a", "contact", "chip_load_mm")
+        done = self.must_do("diagnose", "part.csv", "--bootstrap", 20, "--json", "part.json")
+        self.assertIn("tool_temperature_degc is not recorded: contact_temperature_dependence is not looked for", done.stderr)
+        first = json.loads((self.folder / "part.json").read_text())["which"][0]
+        self.assertIn("contact_temperature_dependence", first["alias_set"])
+        self.assertLess(first["confidence"], 0.6)
+
     def test_a_spindle_without_its_voltage_is_driven_by_its_current(self):
         self.simulate("--effect", "tool_wear_ramp=0.02", "--datasheet-error", 0.1, "--machine-out", "wrong.toml")
         self.keep_columns(*DRIVE)
