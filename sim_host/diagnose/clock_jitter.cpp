@@ -256,8 +256,8 @@ struct Doubt {
 Doubt doubt_about(const Judged& judged) {
   const auto& [evaluation, jitter] = judged;
   const double jitter_s2 = jitter.size_s * jitter.size_s;
-  constexpr double kMuch = 0.2;  // of what the one says that tells most
-  constexpr double kSome = 0.05;
+  constexpr double kMuch = 0.2;   // of what the one says that tells most
+  constexpr double kSome = 0.05;  // of it, so that it is asked at all
   constexpr double kByLaw = 0.7;  // shared by neighbours: of three laws without a name .78 at least
   std::vector<double> evidence(evaluation.togetherness.size());
   for (std::size_t sensor = 0; sensor < evidence.size(); ++sensor)
