@@ -90,8 +90,7 @@ class DiagnosisSearch {
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(fit_, {diagnosis_.least_evidence, is_astray_}, ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
-    if (has_grown && gap::is_stribeck(winner.model().effects.back().form.effect))
-      sharpen_range_of_newest(winner);
+    if (has_grown) sharpen_rare(winner);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     const gap::EffectForm& chosen = winner.model().effects.back().form;
     if (chosen.effect == gap::Effect::kFeedForceOffset)
@@ -105,6 +104,13 @@ class DiagnosisSearch {
                                 .rivals = std::move(ranked)});
     take_sizes();
     return true;
+  }
+
+  /// What is gone beyond a range of speeds shows where an axis turns back. With a quarter of the recording, 8
+  /// N in production were 2 N and dry friction.
+  static void sharpen_rare(AxisFit& winner) {
+    if (gap::is_stribeck(winner.model().effects.back().form.effect) && turns_back_seldom(winner))
+      sharpen_range_of_newest(winner, true);
   }
 
   /// Alone, one of two causes explains most where the other one was least, and seems to set in then. Not the
@@ -212,6 +218,16 @@ class DiagnosisSearch {
     return diagnosis_.needed(finding, enough);
   }
 
+  /// What an heir was promised among its rivals, or was worth beside the one that it has replaced, is not
+  /// what it is worth now.
+  void rank_heirs() {
+    for (Finding& finding : diagnosis_.found) {
+      if (!finding.has_inherited) continue;
+      double& own = finding.rivals.front().evidence;
+      own = std::max(own, finding.evidence - freedom_cost(fit_, finding.effect));
+    }
+  }
+
   /// Takes out what is not worth enough; was there any?
   bool prune() {
     bool has_changed = false;
@@ -235,6 +251,7 @@ class DiagnosisSearch {
         fit_.settle();
       take_sizes();
     }
+    rank_heirs();
     std::stable_sort(diagnosis_.found.begin(), diagnosis_.found.end(),
                      [](const Finding& a, const Finding& b) { return a.evidence > b.evidence; });
     auto& effects = fit_.change_model().effects;
@@ -265,6 +282,7 @@ void inherit_rivals(const Finding& dropped, Finding& left) {
   if (own == rivals.end()) return;
   std::rotate(rivals.begin(), own, own + 1);
   left.rivals = std::move(rivals);
+  left.has_inherited = true;
 }
 
 double AxisDiagnosis::needed(const Finding& finding, double usual) const {

@@ -18,6 +18,7 @@ struct Finding {
   double evidence = 0.0;          ///< how much less likely the recording is without it, as a deviance
   std::vector<Candidate> rivals;  ///< as they stood when it was chosen, itself first
   double kept = 1.0;              ///< share of the evidence that is left beside noise that may last
+  bool has_inherited = false;     ///< its rivals, from what it has replaced
 };
 
 /// What was chosen later than `dropped`, beside it, and does its work alone now, has had its rivals: a

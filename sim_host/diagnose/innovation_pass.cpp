@@ -6,6 +6,7 @@
 
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/spindle_observer.hpp"
+#include "sim_host/diagnose/bristle_lead.hpp"
 #include "sim_host/diagnose/current_drive.hpp"
 #include "sim_host/support/tiny_numbers.hpp"
 
@@ -109,17 +110,19 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
   const auto observer = make<Observer>(signals, model, disturbances, parts);
   const auto rows = std::make_unique<typename Observer::Rows>();
   const std::size_t columns = disturbances != nullptr ? observer->columns() : 0;
-  FrameSource frames(signals, model.machine, first);
+  FrameSource frames(signals, model.machine, lead_of_bristles(Axis::kSpindle, signals, model, first));
   while (frames.row() < last) {
     Innovation innovation{.row = frames.row()};
     const auto frame = frames.next();
     innovation.in_contact = frame.input.contact != 0.0;
     if (frames.has_lost_track()) observer->restart();
     observer->see(frame, *rows);
-    innovation.sensor = 0;
-    report(rows->speed, columns, innovation, on_innovation);
-    innovation.sensor = 1;
-    if (!signals.is_current_driven) report(rows->current, columns, innovation, on_innovation);
+    if (innovation.row >= first) {
+      innovation.sensor = 0;
+      report(rows->speed, columns, innovation, on_innovation);
+      innovation.sensor = 1;
+      if (!signals.is_current_driven) report(rows->current, columns, innovation, on_innovation);
+    }
     // All parts of an interval share one input: what is not known of it adds up.
     const double lost = frames.has_lost_inputs() ? static_cast<double>(parts) * signals.lost_voltage_v2 : 0.0;
     observer->move_on(frame);
@@ -140,7 +143,7 @@ void run_feed(const RecordingSignals& signals, const GapModel& model, const Dist
   const auto rows = std::make_unique<typename Observer::Rows>();
   const std::size_t columns = disturbances != nullptr ? observer->columns() : 0;
   observer->count_positions_from(signals.first_position_m());
-  FrameSource frames(signals, model.machine, first);
+  FrameSource frames(signals, model.machine, lead_of_bristles(Axis::kFeed, signals, model, first));
   SpindleMotion spindle(signals);
   while (frames.row() < last) {
     Innovation innovation{.row = frames.row()};
@@ -149,10 +152,12 @@ void run_feed(const RecordingSignals& signals, const GapModel& model, const Dist
     spindle.take(frame);
     if (frames.has_lost_track()) observer->restart();
     observer->step(frame, spindle.speed_rad_s, spindle.angle_rad, *rows);
-    innovation.sensor = 0;
-    report(rows->position, columns, innovation, on_innovation);
-    innovation.sensor = 1;
-    report(rows->speed, columns, innovation, on_innovation);
+    if (innovation.row >= first) {
+      innovation.sensor = 0;
+      report(rows->position, columns, innovation, on_innovation);
+      innovation.sensor = 1;
+      report(rows->speed, columns, innovation, on_innovation);
+    }
     const double lost = frames.has_lost_inputs() ? static_cast<double>(parts) * signals.lost_force_n2 : 0.0;
     observer->blur_input(lost);
     for (std::size_t i = 1; i < parts; ++i) {

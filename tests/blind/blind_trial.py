@@ -31,6 +31,8 @@ def arguments():
     parser.add_argument("--folder", type=pathlib.Path, help="where results go (default: a temporary folder)")
     parser.add_argument("--resume", action="store_true", help="keep the diagnoses that --folder already holds")
     parser.add_argument("--score-only", action="store_true", help="score what --folder holds")
+    parser.add_argument("--also", type=pathlib.Path, nargs="+", default=[], metavar="FOLDER",
+                        help="folders of other seeds, scored along: what one seed is too small for, as calibration")
     parser.add_argument("--bootstrap", type=int, help="passed to diagnose")
     parser.add_argument("--every", type=int, default=1, help="only every Nth trial, for a shorter look")
     parser.add_argument("--jobs", type=int, default=2)
@@ -121,29 +123,29 @@ def opened_labels(folder):
     for path in sorted((folder / "labels").glob("*.json")):
         labels += json.loads(path.read_text())
     (folder / "labels.json").write_text(json.dumps(labels, indent=1))
-    return labels
+    return [label | {"folder": folder} for label in labels]
 
 
-def answered(folder, method, labels):
-    return [Trial(label, read(folder / method / f"{label['id']}.json")) for label in labels if not label["unreachable"]]
+def answered(method, labels):
+    return [Trial(label, read(label["folder"] / method / f"{label['id']}.json")) for label in labels if not label["unreachable"]]
 
 
-def scored_sets(folder, labels, methods):
+def scored_sets(labels, methods):
     results = {}
     for set_name in ("rich", "production"):
         chosen = [label for label in labels if label["set"] == set_name]
         if chosen:
-            results[set_name] = {method: score(answered(folder, method, chosen)) for method in methods}
+            results[set_name] = {method: score(answered(method, chosen)) for method in methods}
     return results
 
 
-def print_results(folder, labels, results):
+def print_results(labels, results):
     for set_name, scores in results.items():
         report.print_table(set_name, scores["morepro"], {name: rows for name, rows in scores.items() if name != "morepro"})
     for set_name in results:
         chosen = [label for label in labels if label["set"] == set_name]
-        report.print_confusion(set_name, answered(folder, "morepro", chosen))
-    report.print_misses(answered(folder, "morepro", labels))
+        report.print_confusion(set_name, answered("morepro", chosen))
+    report.print_misses(answered("morepro", labels))
     left = [label for label in labels if label["unreachable"]]
     print(f"\n== {len(left)} trials left out, because an effect would need an absurd size in that excitation")
     for set_name in results:
@@ -167,14 +169,14 @@ def main():
     runner = Runner(options, folder)
     if not options.score_only:
         runner.all()
-    labels = opened_labels(folder)
+    labels = sum(map(opened_labels, [folder] + options.also), [])
     methods = [name for name in METHODS if name == "morepro" or any((folder / name).glob("*.json"))]
-    results = scored_sets(folder, labels, methods)
-    print_results(folder, labels, results)
+    results = scored_sets(labels, methods)
+    print_results(labels, results)
     print(f"\n{len(labels)} trials, {time.monotonic() - start:.0f} s, of which diagnosis {runner.diagnosis_s:.0f} s of process time"
           f"\nsuite {options.suite}, seed {options.seed}")
     if options.json:
-        trials = [summary(trial) for trial in answered(folder, "morepro", labels)]
+        trials = [summary(trial) for trial in answered("morepro", labels)]
         temporary = options.json.with_name(options.json.name + ".new")
         temporary.write_text(json.dumps({"schema": "morepro.blind_trial/1", "suite": options.suite, "seed": options.seed,
                                          "scores": results, "trials": trials}, indent=1))

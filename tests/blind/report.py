@@ -19,6 +19,8 @@ TITLES = {
     "false_onset": "onset claimed of an effect that is there from the start",
     "brier": "calibration, Brier",
     "ece": "calibration, ECE",
+    "ece_by_chance": "  of as many names that are right as often as they say, median",
+    "ece_by_chance_95": "  the same, 95 % at most",
     "brier_merged": "  Brier, aliases merged",
     "ece_merged": "  ECE, aliases merged",
     "share_error_median": "error of the claimed share, median",

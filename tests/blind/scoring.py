@@ -1,6 +1,7 @@
 """Scores of diagnoses against labels: every figure of the blind trial. No files, no processes."""
 
 import math
+import random
 
 ALARMS = ("effect", "unexplained")
 REFUSALS = ("not_enough_data", "insufficient_excitation")
@@ -165,17 +166,34 @@ def quantile(values, part):
 
 
 def calibration(trials, is_right):
-    """Brier score and expected calibration error of the confidence in the first name."""
+    """Of the confidence in the first name."""
     pairs = [(float(t.top().get("confidence") or 0.0), 1.0 if is_right(t) else 0.0)
              for t in trials if t.verdict == "effect" and t.top() is not None and t.kind != "leave_one_out"]
-    if not pairs:
-        return None, None, 0
-    brier = sum((p - o) ** 2 for p, o in pairs) / len(pairs)
+    return Calibration(pairs)
+
+
+def expected_calibration_error(pairs):
     bins = {}
     for p, o in pairs:
         bins.setdefault(min(9, int(p * 10)), []).append((p, o))
-    gaps = (abs(sum(p for p, _ in b) - sum(o for _, o in b)) for b in bins.values())
-    return brier, sum(gaps) / len(pairs), len(pairs)
+    return sum(abs(sum(p for p, _ in b) - sum(o for _, o in b)) for b in bins.values()) / len(pairs)
+
+
+class Calibration:
+    """Of pairs of a stated confidence and what came true, 0 or 1."""
+
+    def __init__(self, pairs):
+        self.pairs = pairs
+        self.brier = sum((p - o) ** 2 for p, o in pairs) / len(pairs) if pairs else None
+        self.ece = expected_calibration_error(pairs) if pairs else None
+
+    def ece_by_chance(self):
+        """What as many names have that are right exactly as often as they say: in the middle, and in 95 % at most."""
+        if not self.pairs:
+            return None, None
+        chance = random.Random(1)
+        draws = [expected_calibration_error([(p, 1.0 * (chance.random() < p)) for p, _ in self.pairs]) for _ in range(1000)]
+        return quantile(draws, 0.5), quantile(draws, 0.95)
 
 
 def share_rows(singles):
@@ -199,10 +217,12 @@ def ratio_rows(trials):
 
 
 def calibration_rows(trials):
-    brier, ece, count = calibration(trials, Trial.top_is_exact)
-    merged_brier, merged_ece, _ = calibration(trials, Trial.top_is_right)
-    return [number("brier", brier, count), number("ece", ece, count),
-            number("brier_merged", merged_brier, count), number("ece_merged", merged_ece, count)]
+    exact = calibration(trials, Trial.top_is_exact)
+    merged = calibration(trials, Trial.top_is_right)
+    by_chance, by_chance_95 = exact.ece_by_chance()
+    values = {"brier": exact.brier, "ece": exact.ece, "ece_by_chance": by_chance, "ece_by_chance_95": by_chance_95,
+              "brier_merged": merged.brier, "ece_merged": merged.ece}
+    return [number(name, value, len(exact.pairs)) for name, value in values.items()]
 
 
 def board_rows(trials):

@@ -72,7 +72,15 @@ class ScoringTest(unittest.TestCase):
 
     def test_brier_and_calibration_error_see_overconfidence(self):
         trials = [Trial(label("single", "feed_spring"), said("effect", "drive_lag", confidence=1.0))]
-        self.assertEqual(calibration(trials, Trial.top_is_exact)[:2], (1.0, 1.0))
+        overconfident = calibration(trials, Trial.top_is_exact)
+        self.assertEqual((overconfident.brier, overconfident.ece), (1.0, 1.0))
+
+    def test_few_names_have_a_calibration_error_by_chance(self):
+        stated = lambda count: calibration([Trial(label("single", "feed_spring"), said("effect", "feed_spring", confidence=0.5))] * count,
+                                           Trial.top_is_exact).ece_by_chance()
+        self.assertEqual(stated(1), (0.5, 0.5))
+        self.assertLess(stated(400)[1], 0.06)  # two standard deviations of a mean of 400 coins: 0.05
+        self.assertGreater(stated(400)[0], 0.01)
 
     def test_a_failed_diagnosis_is_counted(self):
         self.assertEqual(score([Trial(label("none"), None)])["failed"]["hits"], 1)

@@ -46,6 +46,13 @@ class SeenTrials(unittest.TestCase):
         self.assertEqual(trial.verdict, "effect")
         self.assertTrue(trial.top_is_right())
 
+    def test_what_replaces_the_first_choice_is_worth_what_it_is_worth_alone(self):
+        # Weighed by what it had been promised beside dry friction, six of six such curves were believed at a third.
+        trial = self.trial(127, 168)
+        self.assertEqual(trial.truths, ["feed_stribeck_friction"])
+        self.assertTrue(trial.top_is_exact())
+        self.assertGreater(trial.top()["confidence"], 0.9)
+
     def test_what_an_effect_of_another_shape_leaves_is_not_taken_for_noise(self):
         trial = self.trial(41, 485)
         self.assertEqual(trial.truths, ["feed_screw_periodic"])

@@ -252,8 +252,6 @@ TEST_F(Naming, ListsTheCataloguesAliasesEarlier) {
             Effects{Effect::kFeedCoulombFriction});
 }
 
-// Whoever sees a bristle bend sees dry friction; only where hardly any of it is that of a slide it is
-// another.
 /// Of a cut with two speeds, at rest before; `tool`: is its temperature recorded?
 RecordingSignals cut_at(double first_rad_s, double second_rad_s, bool tool) {
   constexpr std::size_t kRows = 100;
@@ -289,6 +287,44 @@ TEST(NamingOfSlowLaws, ListAWarmToolWhereNobodyHasMeasuredItAndTheCutHasOneSpeed
             Effects{Effect::kSpindleWindage});
 }
 
+// A drop over the brushes of a spindle that turns one way is an offset of the supply but while it starts.
+TEST(NamingOfSlowLaws, AreLessSureOfASpindleThatTurnsOneWay) {
+  const auto confidence = [](Effect effect, Effect rival, double first_rad_s) {
+    const RecordingSignals signals = cut_at(first_rad_s, 320.0, true);
+    return named_effect(finding_of({{effect, 4000.0}, {rival, 3984.0}}), AxisFit(Axis::kSpindle, signals, {}),
+                        {.threshold = 40.0})
+        .confidence;
+  };
+  const double sure = 0.98 / (1.0 + std::exp(-4.0));
+  const double unsure = 0.98 / (1.0 + std::exp(-0.5));
+  EXPECT_NEAR(confidence(Effect::kSupplyVoltageOffset, Effect::kBrushVoltageDrop, 300.0), unsure, 1.0e-6);
+  EXPECT_NEAR(confidence(Effect::kSupplyVoltageOffset, Effect::kBrushVoltageDrop, -300.0), sure, 1.0e-6);
+  EXPECT_NEAR(confidence(Effect::kCurrentDelay, Effect::kCurrentBandwidth, 300.0), sure, 1.0e-6);
+}
+
+// A cut that never ends does not tell teeth from poles; that one of the two takes one sine more is no reason.
+TEST(NamingOfTurns, KnowsNothingByTheNumberOfParts) {
+  const RecordingSignals signals = cut_at(300.0, 320.0, true);
+  const double price = std::log(static_cast<double>(signals.rows));
+  const auto of_parts = [](Effect effect, std::uint8_t parts, double evidence) {
+    Candidate candidate{.form = {.effect = effect}, .evidence = evidence, .coefficient = {}};
+    candidate.form.parts = parts;
+    return candidate;
+  };
+  const auto confidence = [&](Effect rival, double lacks) {
+    Finding finding = finding_of({{Effect::kSpindleCogging, 4000.0}});
+    finding.effect.form.parts = 2;
+    finding.rivals = {of_parts(Effect::kSpindleCogging, 2, 4000.0), of_parts(rival, 4, 4000.0 - lacks)};
+    return named_effect(finding, AxisFit(Axis::kSpindle, signals, {}), {.threshold = 40.0}).confidence;
+  };
+  EXPECT_NEAR(confidence(Effect::kToothPassingTorque, 2.0 * price), 0.49, 1.0e-6);
+  EXPECT_NEAR(confidence(Effect::kToothPassingTorque, 2.0 * price + 16.0), 0.98 / (1.0 + std::exp(-4.0)),
+              1.0e-6);
+  EXPECT_NEAR(confidence(Effect::kDriveLag, 16.0), 0.98 / (1.0 + std::exp(-4.0)), 1.0e-6);
+}
+
+// Whoever sees a bristle bend sees dry friction; only where hardly any of it is that of a slide it is
+// another.
 TEST_F(Naming, ListsCoulombFrictionBesideABristle) {
   EXPECT_EQ(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 300.0}}).alias_set,
             (Effects{Effect::kFeedPresliding, Effect::kFeedCoulombFriction}));
