@@ -100,6 +100,7 @@ class Duel {
   }
 
   /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn.
+  /// Where it keeps more than it has promised, others may, too.
   [[nodiscard]] bool is_worth_a_trial(const Candidate& rival) const {
     if (rival.evidence < terms_.least_evidence) return false;
     const double best = std::min(best_, promised_most_) / std::max(kept_, 1.0);

@@ -78,15 +78,13 @@ std::optional<Effect> twin_of(const Finding& finding) {
 
 /// Slower than a twentieth of its fastest is standing still, which noise takes for either way.
 bool turns_one_way(const RecordingSignals& signals) {
-  constexpr float kTurning = 0.05F;
+  constexpr double kTurning = 0.05;
   constexpr std::size_t kSome = 20;  // one row of so many that turn
   const auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
-  float fastest = 0.0F;
-  for (const float value : speed)
-    if (value == value) fastest = std::max(fastest, std::fabs(value));
+  const auto turning = static_cast<float>(kTurning * signals.largest(Channel::kSpindleSpeed));
   const auto rows_beyond = [&](float sign) {
-    return static_cast<std::size_t>(std::count_if(
-        speed.begin(), speed.end(), [&](float value) { return sign * value > kTurning * fastest; }));
+    return static_cast<std::size_t>(
+        std::count_if(speed.begin(), speed.end(), [&](float value) { return sign * value > turning; }));
   };
   const std::size_t forwards = rows_beyond(1.0F);
   const std::size_t backwards = rows_beyond(-1.0F);

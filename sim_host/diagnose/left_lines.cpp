@@ -32,9 +32,7 @@ std::vector<float> over_time(const std::vector<float>& white, const Rows& rows, 
 /// So many that no instant of the sensor covers more than one of them: one in several would look like a line.
 double bins_per_turn(const RecordingSignals& signals, std::size_t stride) {
   constexpr double kMostBins = 24.0;
-  double fastest_rad_s = 1.0e-9;
-  for (const float speed : signals.value[index_of(Channel::kSpindleSpeed)])
-    if (speed == speed) fastest_rad_s = std::max(fastest_rad_s, std::fabs(static_cast<double>(speed)));
+  const double fastest_rad_s = std::max(signals.largest(Channel::kSpindleSpeed), 1.0e-9);
   return std::min(kMostBins, kTurn * signals.rate_hz / (static_cast<double>(stride) * fastest_rad_s));
 }
 

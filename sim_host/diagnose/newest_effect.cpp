@@ -143,29 +143,19 @@ bool is_hidden_bend(const GapModel& model, std::size_t index) {
          });
 }
 
-/// 0 where no speed was recorded.
-double fastest_feed(const RecordingSignals& signals) {
-  double fastest_m_s = 0.0;
-  for (const float speed : signals.value[index_of(Channel::kFeedSpeed)])
-    if (speed == speed) fastest_m_s = std::max(fastest_m_s, std::fabs(static_cast<double>(speed)));
-  return fastest_m_s;
-}
-
 }  // namespace
 
 // A quarter of the recording shows it turn back less than ten times.
 bool turns_back_seldom(const AxisFit& fit) {
   constexpr int kOften = 40;
-  constexpr float kTurning = 0.2F;  // of the fastest: less may be noise about standstill
+  constexpr double kTurning = 0.2;  // of the fastest: less may be noise about standstill
   const Channel channel = fit.axis() == Axis::kFeed ? Channel::kFeedSpeed : Channel::kSpindleSpeed;
   const auto& speed = fit.signals().value[index_of(channel)];
-  float fastest = 0.0F;
-  for (const float value : speed)
-    if (value == value) fastest = std::max(fastest, std::fabs(value));
+  const auto turning = static_cast<float>(kTurning * fit.signals().largest(channel));
   int reversals = 0;
   float way = 0.0F;
   for (const float value : speed) {
-    if (!(std::fabs(value) > kTurning * fastest)) continue;
+    if (!(std::fabs(value) > turning)) continue;
     reversals += value * way < 0.0F ? 1 : 0;
     way = value;
   }
@@ -173,9 +163,7 @@ bool turns_back_seldom(const AxisFit& fit) {
 }
 
 // Process noise that was fitted to too little friction hides friction, and the other way round: one search
-// begins with what there is, the other with little noise. What is gone beyond a range of speeds shows where
-// an axis turns back; where that is seldom, it is looked for in all of the recording: with a quarter of it, 8
-// N in production were 2 N and dry friction.
+// begins with what there is, the other with little noise.
 void sharpen_newest(AxisFit& trial, float widest_share, bool in_all) {
   const float seen = trial.model().effects.back().form.shape;
   AxisFit sharper = trial;
@@ -206,7 +194,7 @@ bool bends_too_far(const gap::AppliedEffect& effect, double fastest_m_s, double 
 void weigh_bend(AxisFit& trial, std::size_t index) {
   const gap::Effect effect = trial.model().effects[index].form.effect;
   if (!tells_second_part(effect, trial.signals())) return;
-  const double fastest_m_s = fastest_feed(trial.signals());
+  const double fastest_m_s = trial.signals().largest(Channel::kFeedSpeed);
   const auto is_too_far = [&](const AxisFit& fit) {
     return bends_too_far(fit.model().effects[index], fastest_m_s, fit.model().point.feed_speed_m_s) ||
            is_hidden_bend(fit.model(), index);

@@ -120,6 +120,13 @@ double RecordingSignals::first_position_m() const {
   return 0.0;
 }
 
+double RecordingSignals::largest(Channel channel) const {
+  double largest = 0.0;
+  for (const float sample : value[index_of(channel)])
+    if (!std::isnan(sample)) largest = std::max(largest, std::fabs(static_cast<double>(sample)));
+  return largest;
+}
+
 bool is_missing(const RecordingSignals& signals, std::size_t row) {
   return std::all_of(signals.value.begin(), signals.value.end(), [row](const std::vector<float>& column) {
     return column.empty() || std::isnan(column[row]);

@@ -68,6 +68,8 @@ struct RecordingSignals {
   }
   /// The first position that was recorded; 0 without any.
   [[nodiscard]] double first_position_m() const;
+  /// The largest magnitude of a channel; 0 where it was not recorded.
+  [[nodiscard]] double largest(Channel channel) const;
 };
 
 /// Rows that inputs and balances are bridged over; over a longer hole nobody knows what drove the machine.

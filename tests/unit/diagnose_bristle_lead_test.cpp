@@ -2,7 +2,8 @@
 // from.
 #include <gtest/gtest.h>
 
-#include <vector>
+#include <algorithm>
+#include <cstddef>
 
 #include "sim_host/diagnose/bristle_lead.hpp"
 #include "sim_host/diagnose/innovation_pass.hpp"
