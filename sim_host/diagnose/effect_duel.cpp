@@ -8,6 +8,7 @@
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/effect_family.hpp"
 #include "sim_host/diagnose/effect_trial.hpp"
+#include "sim_host/diagnose/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -57,6 +58,7 @@ class Duel {
       if (i >= sure) trials_.push_back(tried(ranked[i]));
       weigh(i < sure ? trials_[i] : trials_.back(), ranked[i]);
     }
+    for (Candidate& rival : ranked) sharpen_near(rival);
     std::sort(ranked.begin(), ranked.end(),
               [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
     put_plain_first(ranked);
@@ -94,16 +96,26 @@ class Duel {
     family_ = family_of(rival.form.effect);
   }
 
+  /// The range of a curve that is gone beyond one is searched for where it may decide, not for every loser.
+  void sharpen_near(Candidate& rival) {
+    if (!gap::is_stribeck(rival.form.effect) || !(rival.evidence >= kNearlyAsGood * best_)) return;
+    for (EffectTrial& trial : trials_) {
+      if (trial.candidate.form.effect != rival.form.effect) continue;
+      sharpen_range_of_newest(trial.fit);
+      trial.candidate.form = trial.fit.model().effects.back().form;
+      weigh(trial, rival);
+    }
+  }
+
   [[nodiscard]] bool gets_its_turn(const Candidate& rival) const {
     return trials_.size() < kMostTrials &&
            (is_worth_a_trial(rival) || is_other_lag(rival) || is_other_friction(rival));
   }
 
   /// In the order of what a linearisation promises, which it may not keep: then those behind get their turn.
-  /// Where it keeps more than it has promised, others may, too.
   [[nodiscard]] bool is_worth_a_trial(const Candidate& rival) const {
     if (rival.evidence < terms_.least_evidence) return false;
-    const double best = std::min(best_, promised_most_) / std::max(kept_, 1.0);
+    const double best = std::min(best_, promised_most_);
     return best < terms_.least_evidence ||
            (trials_.size() < kMostRivals && rival.evidence >= kNearlyAsGood * best);
   }

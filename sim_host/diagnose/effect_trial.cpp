@@ -67,7 +67,6 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
   if (candidate.onset_s > 0.0) place_onset_of_newest(trial.fit);
   if (candidate.form.effect == gap::Effect::kShaftCompliance) tune_newest(trial.fit);
   weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
-  if (gap::is_stribeck(candidate.form.effect)) sharpen_range_of_newest(trial.fit);
   trial.candidate.form = trial.fit.model().effects.back().form;
   return trial;
 }

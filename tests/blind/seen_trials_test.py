@@ -53,6 +53,13 @@ class SeenTrials(unittest.TestCase):
         self.assertTrue(trial.top_is_exact())
         self.assertGreater(trial.top()["confidence"], 0.9)
 
+    def test_a_friction_that_is_gone_beyond_a_range_gets_its_trial_where_another_one_leads(self):
+        # A linearisation promises a quarter of what it promises of dry friction, which was named beside a cut's speed.
+        trial = self.trial(149, 471)
+        self.assertEqual(trial.truths, ["feed_stribeck_friction"])
+        self.assertTrue(trial.top_is_exact())
+        self.assertEqual(len(trial.named), 1)
+
     def test_what_an_effect_of_another_shape_leaves_is_not_taken_for_noise(self):
         trial = self.trial(41, 485)
         self.assertEqual(trial.truths, ["feed_screw_periodic"])
