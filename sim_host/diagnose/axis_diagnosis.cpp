@@ -90,7 +90,6 @@ class DiagnosisSearch {
     if (ranked.empty() || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     AxisFit winner = duel(fit_, {diagnosis_.least_evidence, is_astray_}, ranked);
     const bool has_grown = winner.model().effects.size() > fit_.model().effects.size();
-    if (has_grown) sharpen_rare(winner);
     if (!has_grown || !(ranked.front().evidence >= diagnosis_.least_evidence)) return false;
     const gap::EffectForm& chosen = winner.model().effects.back().form;
     if (chosen.effect == gap::Effect::kFeedForceOffset)
@@ -104,13 +103,6 @@ class DiagnosisSearch {
                                 .rivals = std::move(ranked)});
     take_sizes();
     return true;
-  }
-
-  /// What is gone beyond a range of speeds shows where an axis turns back. With a quarter of the recording, 8
-  /// N in production were 2 N and dry friction.
-  static void sharpen_rare(AxisFit& winner) {
-    if (gap::is_stribeck(winner.model().effects.back().form.effect) && turns_back_seldom(winner))
-      sharpen_range_of_newest(winner, true);
   }
 
   /// Alone, one of two causes explains most where the other one was least, and seems to set in then. Not the
@@ -208,7 +200,6 @@ class DiagnosisSearch {
     const gap::Effect effect = finding.effect.form.effect;
     for (const Finding& other : diagnosis_.found) {
       const gap::Effect beside = other.effect.form.effect;
-      if (!is_fast(effect) && is_fast(beside)) continue;
       enough = std::max(enough, least_share(effect, beside, kLeastShare) * other.evidence);
     }
     for (const gap::AppliedEffect& known : fit_.model().known) {

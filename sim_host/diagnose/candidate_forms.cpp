@@ -161,7 +161,10 @@ void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& m
   // Shorter ones cannot be told from how a force's means lie, longer ones no axis could be controlled with.
   if (!signals.is_thinned)
     forms.add(Effect::kFeedDriveLag, {0.5 * step_s, 2.0e-4, 4.0e-4, 8.0e-4, 1.6e-3, 3.2e-3, 6.4e-3, 1.28e-2});
-  forms.add(Effect::kFeedBacklash, {1.0e-6, 3.0e-6, 1.0e-5, 3.0e-5, 1.0e-4, 3.0e-4}, 2);
+  // When the slide meets the end of a wide play depends on the width so much that each shows its own only.
+  forms.add(Effect::kFeedBacklash,
+            {1.0e-6, 3.0e-6, 1.0e-5, 3.0e-5, 5.0e-5, 7.0e-5, 1.0e-4, 1.4e-4, 2.0e-4, 2.8e-4, 4.0e-4, 5.6e-4},
+            2);
   const std::initializer_list<double> yields_m{2.0e-6, 1.0e-5, 5.0e-5, 2.0e-4, 1.0e-3};
   forms.add(Effect::kFeedPresliding, yields_m);
   if (tells_second_part(Effect::kFeedPresliding, signals)) forms.add(Effect::kFeedPresliding, yields_m, 2);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "sim_host/diagnose/onset.hpp"
 
@@ -189,14 +190,16 @@ Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   Candidate finest = candidate;
   if (candidate.onset_s > 0.0 && !grows(candidate.form.effect)) place_onset(axis, finest);
   if (!has_shape(candidate.form)) return finest;
+  // Where the slide is in its play, what came before decides: no part of the recording tells its width.
+  const bool is_play = candidate.form.effect == gap::Effect::kFeedBacklash;
   AxisFit part = axis;
-  part.narrow_down();
+  if (!is_play) part.narrow_down();
   finest.evidence = kNoEvidence;
   const bool is_pure_shape = gap::size_is_shape(candidate.form.effect) && candidate.form.parts == 1;
   double centre = static_cast<double>(candidate.form.shape);
   // Half of a lag looks like half as long a lag.
   if (is_pure_shape) centre *= std::clamp(candidate.coefficient[0], 0.1, 4.0);
-  for (const double spread : {2.0, 1.2}) {
+  for (const double spread : is_play ? std::vector{2.0, 1.2, 1.05} : std::vector{2.0, 1.2}) {
     const auto forms = around(candidate.form, centre, spread);
     const std::vector<double> onset_s(forms.size(), finest.onset_s);
     take_best(part, part.collect_with_each({forms, onset_s}), forms, finest);

@@ -63,6 +63,7 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
   if (has_blurred_shape(candidate.form)) sharpen_newest(trial.fit, kNoWider);
   if (candidate.form.effect == gap::Effect::kSpindleCoulombFriction) weigh_bristle(trial.fit);
   if (candidate.form.effect == gap::Effect::kFeedPresliding) tune_bristle(trial.fit);
+  if (candidate.form.effect == gap::Effect::kFeedBacklash) tune_play(trial.fit);
   // A bend would do the work of a wrong onset.
   if (candidate.onset_s > 0.0) place_onset_of_newest(trial.fit);
   if (candidate.form.effect == gap::Effect::kShaftCompliance) tune_newest(trial.fit);

@@ -101,6 +101,11 @@ void search_shaft(AxisFit& trial) {
 struct Yields {
   float least;
   float most;
+
+  bool reshape(gap::AppliedEffect& bristle, float factor) const {
+    bristle.form.shape *= factor;
+    return bristle.form.shape >= least && bristle.form.shape <= most;
+  }
 };
 
 /// Takes a bristle that yields as far as it is most likely, beside little noise, where that is likelier.
@@ -109,8 +114,7 @@ void take_yield(AxisFit bristle, Yields yields, AxisFit& trial) {
   bristle.expect_little_noise();
   bristle.refit();
   const auto reshape = [yields](gap::AppliedEffect& effect, float factor) {
-    effect.form.shape *= factor;
-    return effect.form.shape >= yields.least && effect.form.shape <= yields.most;
+    return yields.reshape(effect, factor);
   };
   AxisFit best = bristle;
   for (const float factor : {0.0625F, 0.25F, 4.0F, 16.0F}) {
@@ -145,29 +149,12 @@ bool is_hidden_bend(const GapModel& model, std::size_t index) {
 
 }  // namespace
 
-// A quarter of the recording shows it turn back less than ten times.
-bool turns_back_seldom(const AxisFit& fit) {
-  constexpr int kOften = 40;
-  constexpr double kTurning = 0.2;  // of the fastest: less may be noise about standstill
-  const Channel channel = fit.axis() == Axis::kFeed ? Channel::kFeedSpeed : Channel::kSpindleSpeed;
-  const auto& speed = fit.signals().value[index_of(channel)];
-  const auto turning = static_cast<float>(kTurning * fit.signals().largest(channel));
-  int reversals = 0;
-  float way = 0.0F;
-  for (const float value : speed) {
-    if (!(std::fabs(value) > turning)) continue;
-    reversals += value * way < 0.0F ? 1 : 0;
-    way = value;
-  }
-  return !speed.empty() && reversals < kOften;
-}
-
 // Process noise that was fitted to too little friction hides friction, and the other way round: one search
 // begins with what there is, the other with little noise.
-void sharpen_newest(AxisFit& trial, float widest_share, bool in_all) {
+void sharpen_newest(AxisFit& trial, float widest_share) {
   const float seen = trial.model().effects.back().form.shape;
   AxisFit sharper = trial;
-  if (!in_all) sharper.narrow_down();
+  sharper.narrow_down();
   AxisFit quiet = sharper;
   quiet.expect_little_noise();
   bool has_changed = search_friction(sharper, seen, widest_share);
@@ -215,16 +202,16 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
 }
 
 // From the plain law, too: a bend does the work of a wrong range.
-void sharpen_range_of_newest(AxisFit& trial, bool in_all) {
+void sharpen_range_of_newest(AxisFit& trial) {
   constexpr float kAnyRange = 3.0F;  // share of the shape that a linearisation shows
   AxisFit plain = trial;
-  sharpen_newest(trial, kAnyRange, in_all);
+  sharpen_newest(trial, kAnyRange);
   gap::AppliedEffect& newest = plain.change_model().effects.back();
   if (newest.form.parts == 1) return;
   newest.form.parts = 1;
   newest.coefficient[1] = 0.0;
   plain.polish();
-  sharpen_newest(plain, kAnyRange, in_all);
+  sharpen_newest(plain, kAnyRange);
   weigh_bend(plain, plain.model().effects.size() - 1);
   const double price = std::log(static_cast<double>(plain.signals().rows) + 2.0);
   const double saved = plain.model().effects.back().form.parts == 1 ? price : 0.0;
@@ -243,9 +230,33 @@ void weigh_bristle(AxisFit& trial) {
   take_yield(std::move(bristle), kAny, trial);
 }
 
+// Little noise leads astray where the parameters are still bent to the wrong yield: a second search begins
+// where the noise as it is leads first.
 void tune_bristle(AxisFit& trial) {
-  constexpr Yields kAny{1.0e-8F, 1.0e-2F};
+  static constexpr Yields kAny{1.0e-8F, 1.0e-2F};
+  AxisFit loud = trial;
+  const auto reshape = [](gap::AppliedEffect& effect, float factor) { return kAny.reshape(effect, factor); };
+  if (take_likelier(loud, std::array{0.7F, 1.4F, 0.9F, 1.1F}, reshape)) {
+    loud.polish();
+    take_yield(loud, kAny, loud);
+  }
   take_yield(trial, kAny, trial);
+  if (loud.unlikeliness() < trial.unlikeliness()) trial = std::move(loud);
+}
+
+// The play was taken for process noise, which hides it now: another search begins with little.
+void tune_play(AxisFit& trial) {
+  const auto widen = [](gap::AppliedEffect& play, float factor) {
+    play.form.shape *= factor;
+    return true;
+  };
+  AxisFit quiet = trial;
+  quiet.expect_little_noise();
+  quiet.refit();
+  for (AxisFit* fit : {&trial, &quiet})
+    take_likelier(*fit, std::array{0.93F, 1.07F, 0.98F, 1.02F, 0.995F, 1.005F}, widen);
+  quiet.polish();
+  if (quiet.unlikeliness() < trial.unlikeliness()) trial = std::move(quiet);
 }
 
 // At which end the cut is and how the shaft is damped hide each other: the search begins with either end.

@@ -5,14 +5,10 @@ namespace morepro::host {
 
 /// Searches for shape and size of the model's newest effect, a dry friction, now that it acts in the model:
 /// before, the sensors' noise blurs it. `widest_share` of the shape that it has is the most that it can be.
-/// Looks at a quarter of the recording to begin with, or `in_all` of it.
-void sharpen_newest(AxisFit& trial, float widest_share, bool in_all = false);
+void sharpen_newest(AxisFit& trial, float widest_share);
 
 /// The same for the range of Stribeck friction, with and without its bend.
-void sharpen_range_of_newest(AxisFit& trial, bool in_all = false);
-
-/// Does the axis turn back so seldom that a quarter of the recording hardly shows what happens there?
-bool turns_back_seldom(const AxisFit& fit);
+void sharpen_range_of_newest(AxisFit& trial);
 
 /// Lets the model's newest effect, dry friction of the spindle, bend before it slides, where that is more
 /// likely.
@@ -20,6 +16,9 @@ void weigh_bristle(AxisFit& trial);
 
 /// Searches for how far the bristle of the model's newest effect, a slide's, yields.
 void tune_bristle(AxisFit& trial);
+
+/// Searches for the width of the model's newest effect, a play, beside everything that it has bent before.
+void tune_play(AxisFit& trial);
 
 /// Searches for resonance and damping of the model's newest effect, a compliant shaft, now that it swings in
 /// the model.

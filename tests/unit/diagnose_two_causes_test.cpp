@@ -65,5 +65,15 @@ TEST(TwoCauses, OfWhichOneIsWeakAreBelievedLess) {
   for (const auto& found : strong.which) EXPECT_GT(found.confidence, 0.95) << said(strong);
 }
 
+// Saturation of the motor's torque, at 98 % beside a bandwidth that is worth 350 times as much: what is left
+// of 240,000 where the observer's filter is not quite the sensor's.
+TEST(TwoCauses, AreOneWhereAFastOneLeavesAThousandth) {
+  const auto result = diagnosed(
+      record({.effects = {effect(Effect::kCurrentBandwidth, 2.0e-4)}, .duration_s = 8.0, .seed = 23}),
+      wrong_datasheet(23));
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_TRUE(names(result.which.front(), Effect::kCurrentBandwidth)) << said(result);
+}
+
 }  // namespace
 }  // namespace morepro::diagnose_test
