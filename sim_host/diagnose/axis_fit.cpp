@@ -45,7 +45,7 @@ std::vector<Eigen::Index> all_columns(Eigen::Index count) {
 AxisFit::AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet)
     : axis_(axis),
       signals_(&signals),
-      is_rarely_at_rest_(passes_standstill_seldom(axis, signals)),
+      is_rarely_at_rest_(axis == Axis::kFeed && passes_standstill_seldom(signals)),
       stretches_(all_of(signals)),
       datasheet_(datasheet),
       model_(datasheet) {}

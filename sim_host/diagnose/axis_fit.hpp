@@ -32,7 +32,7 @@ class AxisFit {
   void expect_little_noise();
 
   /// From now on the fit sees a quarter of a long recording, or all of it again: how likely it is on the
-  /// other is not known then. An axis that seldom passes standstill is seen as a whole.
+  /// other is not known then. A feed axis that seldom passes standstill is seen as a whole.
   void narrow_down() { look_at(is_rarely_at_rest_ ? all_of(*signals_) : quarter_of(*signals_)); }
   void widen() { look_at(all_of(*signals_)); }
   [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }

@@ -27,7 +27,8 @@ std::size_t lead_of_bristles(Axis axis, const RecordingSignals& signals, const G
                              std::size_t first) {
   const double yield = longest_yield(axis, model);
   if (!(yield > 0.0)) return first;
-  const std::span<const float> rate = signals.value[index_of(speed_of(axis))];
+  const Channel speed = axis == Axis::kFeed ? Channel::kFeedSpeed : Channel::kSpindleSpeed;
+  const std::span<const float> rate = signals.value[index_of(speed)];
   const std::span<const float> place = signals.value[index_of(Channel::kFeedPosition)];
   if (rate.empty() && (axis == Axis::kSpindle || place.empty())) return first;
   const auto way_into = [&](std::size_t row) {

@@ -150,7 +150,7 @@ double shape_error(const Finding& finding, const AxisFit& fit) {
   constexpr double kOfPlay = 0.02;
   constexpr double kOfPlayMetSeldom = 0.1;
   if (finding.effect.form.effect != Effect::kFeedBacklash) return kUsual;
-  return passes_standstill_seldom(fit.axis(), fit.signals()) ? kOfPlayMetSeldom : kOfPlay;
+  return passes_standstill_seldom(fit.signals()) ? kOfPlayMetSeldom : kOfPlay;
 }
 
 }  // namespace

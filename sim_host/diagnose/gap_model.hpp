@@ -1,7 +1,6 @@
 #pragma once
 #include <vector>
 
-#include "lib/frame/channel.hpp"
 #include "lib/gap/applied_effect.hpp"
 #include "lib/gap/gap_frame.hpp"
 #include "lib/plant/machine_parameters.hpp"
@@ -19,9 +18,5 @@ struct GapModel {
 
 /// The halves of the machine that share nothing: their balances are tried apart.
 enum class Axis { kSpindle, kFeed };
-
-constexpr Channel speed_of(Axis axis) {
-  return axis == Axis::kFeed ? Channel::kFeedSpeed : Channel::kSpindleSpeed;
-}
 
 }  // namespace morepro::host

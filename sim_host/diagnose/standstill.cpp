@@ -24,11 +24,11 @@ std::vector<double> calm_speed(const std::vector<float>& speed, double rate_hz) 
 
 }  // namespace
 
-bool passes_standstill_seldom(Axis axis, const RecordingSignals& signals) {
+bool passes_standstill_seldom(const RecordingSignals& signals) {
   constexpr int kOften = 8;         // a quarter shows two
   constexpr double kMoving = 0.2;   // of the fastest
   constexpr double kResting = 0.1;  // of it: between them it may be either
-  const std::vector<double> speed = calm_speed(signals.value[index_of(speed_of(axis))], signals.rate_hz);
+  const std::vector<double> speed = calm_speed(signals.value[index_of(Channel::kFeedSpeed)], signals.rate_hz);
   double fastest = 0.0;
   for (const double value : speed) fastest = std::max(fastest, std::fabs(value));
   int moves = 0;

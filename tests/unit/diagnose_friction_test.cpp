@@ -86,14 +86,14 @@ TEST(StribeckCurve, IsFoundInProduction) {
   }
 }
 
-// What a spindle's droop in the cut, a hundredth of its speed, makes of a play of the slide: 724 N where the
-// load is 24 N, at 98 %.
+// What a spindle's droop in the cut, a hundredth of its speed, makes of a play of the slide that nobody looks
+// for: 724 N where the load is 24 N, at 98 %.
 TEST(CuttingSpeedDependence, IsNoneThatNoCutHas) {
   const auto result = diagnosed(record({.effects = {effect(Effect::kFeedBacklash, 2.0e-4)},
                                         .duration_s = 8.0,
                                         .seed = 11,
                                         .profile = ProfileKind::kProduction}),
-                                wrong_datasheet(11));
+                                wrong_datasheet(11), {Effect::kFeedBacklash});
   EXPECT_FALSE(std::any_of(result.which.begin(), result.which.end(), [](const EffectResult& one) {
     return one.effect == Effect::kFeedCuttingSpeedDependence;
   })) << said(result);
