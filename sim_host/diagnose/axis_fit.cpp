@@ -13,7 +13,6 @@
 #include "sim_host/diagnose/lasting_noise.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/diagnose/size_columns.hpp"
-#include "sim_host/diagnose/standstill.hpp"
 
 namespace morepro::host {
 namespace {
@@ -45,7 +44,6 @@ std::vector<Eigen::Index> all_columns(Eigen::Index count) {
 AxisFit::AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet)
     : axis_(axis),
       signals_(&signals),
-      is_rarely_at_rest_(axis == Axis::kFeed && passes_standstill_seldom(signals)),
       stretches_(all_of(signals)),
       datasheet_(datasheet),
       model_(datasheet) {}

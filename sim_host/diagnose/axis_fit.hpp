@@ -32,8 +32,10 @@ class AxisFit {
   void expect_little_noise();
 
   /// From now on the fit sees a quarter of a long recording, or all of it again: how likely it is on the
-  /// other is not known then. A feed axis that seldom passes standstill is seen as a whole.
-  void narrow_down() { look_at(is_rarely_at_rest_ ? all_of(*signals_) : quarter_of(*signals_)); }
+  /// other is not known then.
+  void narrow_down() { look_at(needs_all_ ? all_of(*signals_) : quarter_of(*signals_)); }
+  /// From now on a quarter is not enough.
+  void need_all() { needs_all_ = true; }
   void widen() { look_at(all_of(*signals_)); }
   [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
   /// The same for what comes after a time.
@@ -173,7 +175,7 @@ class AxisFit {
 
   Axis axis_;
   const RecordingSignals* signals_;
-  bool is_rarely_at_rest_;
+  bool needs_all_ = false;
   std::vector<Stretch> stretches_;  ///< of the recording that are looked at
   GapModel datasheet_;
   GapModel model_;

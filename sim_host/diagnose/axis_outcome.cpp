@@ -9,6 +9,7 @@
 #include "sim_host/diagnose/causes.hpp"
 #include "sim_host/diagnose/name_checks.hpp"
 #include "sim_host/diagnose/nominal_fit.hpp"
+#include "sim_host/diagnose/standstill.hpp"
 #include "sim_host/diagnose/surprises.hpp"
 #include "sim_host/diagnose/white_innovations.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -211,6 +212,29 @@ void drop_what_needs_no_names(AxisOutcome& outcome) {
   outcome.leftover = std::move(nameless);
 }
 
+/// Few causes, and nothing else that follows anything.
+bool is_conclusive(const AxisOutcome& outcome) {
+  constexpr std::size_t kFew = 2;
+  const std::size_t causes = outcome.diagnosis.found.size();
+  return causes > 0 && causes <= kFew && !is_doubtful(outcome);
+}
+
+std::optional<AxisOutcome> outcome_beginning_at(const AxisFit& datasheet, const DiagnosisOptions& options) {
+  const std::vector<AxisFit> starts = nominal_fits(datasheet);
+  if (starts.front().unlikeliness() == 0.0) return std::nullopt;
+  static_cast<void>(starts.front().innovations());  // which the outcome's fits share where nothing is found
+  AxisOutcome outcome = outcome_from(starts.front(), starts.front(), options);
+  const auto try_from = [&](const AxisFit& start) {
+    AxisOutcome other = outcome_from(start, starts.front(), options);
+    if (other.diagnosis.cost() < outcome.diagnosis.cost()) outcome = std::move(other);
+  };
+  if (starts.size() > 1 && is_doubtful(outcome)) try_from(starts.back());
+  if (is_doubtful(outcome) || sets_in_late(outcome))
+    if (const auto early = fit_of_beginning(outcome.diagnosis.fit)) try_from(*early);
+  drop_what_needs_no_names(outcome);
+  return outcome;
+}
+
 }  // namespace
 
 void AxisOutcome::keep_without_name(double deviance, double torque_share) {
@@ -256,21 +280,18 @@ double AxisOutcome::unnamed_deviance_in(gap::Balance balance) const {
   return share * unnamed_deviance();
 }
 
+// All of the recording shows friction that a quarter hardly does; process noise that is fitted to it may hold
+// something small, and many causes together a structure without a name.
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
                                       const DiagnosisOptions& options) {
-  const std::vector<AxisFit> starts = nominal_fits(AxisFit(axis, signals, datasheet));
-  if (starts.front().unlikeliness() == 0.0) return std::nullopt;
-  static_cast<void>(starts.front().innovations());  // which the outcome's fits share where nothing is found
-  AxisOutcome outcome = outcome_from(starts.front(), starts.front(), options);
-  const auto try_from = [&](const AxisFit& start) {
-    AxisOutcome other = outcome_from(start, starts.front(), options);
-    if (other.diagnosis.cost() < outcome.diagnosis.cost()) outcome = std::move(other);
-  };
-  if (starts.size() > 1 && is_doubtful(outcome)) try_from(starts.back());
-  if (is_doubtful(outcome) || sets_in_late(outcome))
-    if (const auto early = fit_of_beginning(outcome.diagnosis.fit)) try_from(*early);
-  drop_what_needs_no_names(outcome);
-  return outcome;
+  const AxisFit start(axis, signals, datasheet);
+  if (axis == Axis::kFeed && passes_standstill_seldom(signals)) {
+    AxisFit whole = start;
+    whole.need_all();
+    std::optional<AxisOutcome> outcome = outcome_beginning_at(whole, options);
+    if (outcome && is_conclusive(*outcome)) return outcome;
+  }
+  return outcome_beginning_at(start, options);
 }
 
 void conclude(std::span<AxisOutcome> outcomes) {
