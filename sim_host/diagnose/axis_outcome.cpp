@@ -212,13 +212,6 @@ void drop_what_needs_no_names(AxisOutcome& outcome) {
   outcome.leftover = std::move(nameless);
 }
 
-/// Few causes, and nothing else that follows anything.
-bool is_conclusive(const AxisOutcome& outcome) {
-  constexpr std::size_t kFew = 2;
-  const std::size_t causes = outcome.diagnosis.found.size();
-  return causes > 0 && causes <= kFew && !is_doubtful(outcome);
-}
-
 std::optional<AxisOutcome> outcome_beginning_at(const AxisFit& datasheet, const DiagnosisOptions& options) {
   const std::vector<AxisFit> starts = nominal_fits(datasheet);
   if (starts.front().unlikeliness() == 0.0) return std::nullopt;
@@ -289,7 +282,7 @@ std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals
     AxisFit whole = start;
     whole.need_all();
     std::optional<AxisOutcome> outcome = outcome_beginning_at(whole, options);
-    if (outcome && is_conclusive(*outcome)) return outcome;
+    if (outcome && !outcome->diagnosis.found.empty() && !is_doubtful(*outcome)) return outcome;
   }
   return outcome_beginning_at(start, options);
 }
