@@ -35,6 +35,18 @@ bool contains_force(const gap::EffectForm& form) {
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
+/// Comes first, and is promised at least as much as the best so far: it gets its trial.
+void prefer(Candidate preferred, double most, std::vector<Candidate>& ranked) {
+  std::erase_if(ranked, [&](const Candidate& c) { return c.form.effect == preferred.form.effect; });
+  preferred.evidence = std::max(preferred.evidence, most);
+  ranked.insert(ranked.begin(), std::move(preferred));
+}
+
+Whitening without_memory(Whitening whitening) {
+  for (SensorWhitening& sensor : whitening) sensor.memory = {};
+  return whitening;
+}
+
 class DiagnosisSearch {
  public:
   DiagnosisSearch(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded,
@@ -78,6 +90,7 @@ class DiagnosisSearch {
     is_astray_ = is_bent(fit_);
     if (is_astray_) prefer_by_datasheet(ranked);
     prefer_what_friction_holds(ranked);
+    prefer_what_memory_hides(ranked);
     if (add_best_of(ranked)) return true;
     // A model without effects may have taken for noise what is missing.
     if (is_astray_ || !diagnosis_.found.empty() || leaves_noise(fit_)) return false;
@@ -129,11 +142,8 @@ class DiagnosisSearch {
     let_set_in(fit, statistics, others);
     others.resize(std::min(others.size(), kMostRivals - 1));
     const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
-    for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred) {
-      std::erase_if(ranked, [&](const Candidate& c) { return c.form.effect == preferred->form.effect; });
-      preferred->evidence = std::max(preferred->evidence, most);
-      ranked.insert(ranked.begin(), *preferred);
-    }
+    for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred)
+      prefer(*preferred, most, ranked);
   }
 
   /// A constant force on an axis that sticks is in no linearisation: the friction holds it, and gets bent by
@@ -149,6 +159,18 @@ class DiagnosisSearch {
     if (!is_held || force == ranked.end()) return;
     force->evidence = std::max(ranked.front().evidence, diagnosis_.least_evidence);
     std::rotate(ranked.begin(), force, force + 1);
+  }
+
+  /// What comes back with every turn is known before it comes: a memory of what was left takes nearly all of
+  /// it, and hardly anything is promised for its cause. What explains most without a memory gets its trial.
+  void prefer_what_memory_hides(std::vector<Candidate>& ranked) const {
+    if (ranked.empty() || leaves_noise(fit_)) return;
+    AxisFit plain = fit_;
+    plain.set_whitening(without_memory(fit_.whitening()));
+    auto seen = rank_candidates(plain, plain.collect_with_each(diagnosis_.others), diagnosis_.others);
+    if (seen.empty() || !is_periodic(seen.front().form.effect)) return;
+    seen.front().evidence = diagnosis_.least_evidence;  // that of whitened rows is another one
+    prefer(std::move(seen.front()), ranked.front().evidence, ranked);
   }
 
   void take_sizes() {

@@ -47,7 +47,6 @@ class Duel {
 
   AxisFit run(std::vector<Candidate>& ranked) {
     for (Candidate& rival : ranked) rival.promised = rival.evidence;
-    promised_most_ = ranked.front().evidence;
     try_sure_ones(ranked);
     const std::size_t sure = trials_.size();
     for (std::size_t i = 0; i < ranked.size(); ++i) {
@@ -73,7 +72,7 @@ class Duel {
 
   /// Those that get a trial whatever the others turn out to be worth, side by side.
   void try_sure_ones(const std::vector<Candidate>& ranked) {
-    const double enough = std::max(kNearlyAsGood * promised_most_, terms_.least_evidence);
+    const double enough = std::max(kNearlyAsGood * ranked.front().evidence, terms_.least_evidence);
     std::size_t count = 0;
     while (count < std::min(kMostRivals, ranked.size()) && ranked[count].evidence >= enough) ++count;
     std::vector<std::optional<EffectTrial>> trials(count);
@@ -90,6 +89,8 @@ class Duel {
     const gap::AppliedEffect& newest = model.effects.back();
     if (!std::isfinite(rival.evidence) || is_impossible(newest, model) || is_absurd(newest, trial.fit))
       rival.evidence = -1.0e300;
+    else
+      promised_most_ = std::max(promised_most_, rival.promised);
     if (!(rival.evidence > best_)) return;
     best_ = rival.evidence;
     kept_ = best_ / rival.promised;
@@ -157,7 +158,7 @@ class Duel {
   const DuelTerms& terms_;
   AxisFit::Rival without_;
   std::vector<EffectTrial> trials_;
-  double promised_most_ = 0.0;
+  double promised_most_ = 0.0;  ///< to one that is possible
   double best_ = 0.0;
   double kept_ = 1.0;  ///< of what the linearisation promised to the best
   Family family_ = Family::kNone;

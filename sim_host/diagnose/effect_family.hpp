@@ -72,12 +72,16 @@ constexpr double least_share(gap::Effect effect, gap::Effect beside, double of_s
   return family != Family::kNone && family == family_of(beside) ? kOfFamily : of_strangers;
 }
 
+/// What comes back with every turn: at a constant speed, lines of a spectrum.
+constexpr bool is_periodic(gap::Effect effect) {
+  return family_of(effect) == Family::kPerTurn || passes_with_teeth(effect) ||
+         effect == gap::Effect::kFeedScrewPeriodic;
+}
+
 /// Forces, torques and voltages that follow how the machine moves, slowly: in few states of a machine they
 /// look alike.
 constexpr bool is_slow_law(gap::Effect effect) {
-  const bool is_periodic = family_of(effect) == Family::kPerTurn || passes_with_teeth(effect) ||
-                           effect == gap::Effect::kFeedScrewPeriodic;
-  return !is_fast(effect) && !is_periodic && effect != gap::Effect::kFeedBacklash;
+  return !is_fast(effect) && !is_periodic(effect) && effect != gap::Effect::kFeedBacklash;
 }
 
 /// The plain effect that a finer one is a refinement of: what every machine has comes first, unless the

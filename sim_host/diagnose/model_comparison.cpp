@@ -21,9 +21,9 @@ struct ErrorSum {
   double squares = 0.0;
   double expected = 0.0;
   double count = 0.0;
-  void add(const Innovation& v) {
-    squares += v.value * v.value;
-    expected += v.variance;
+  void add(double error, double variance) {
+    squares += error * error;
+    expected += variance;
     count += 1.0;
   }
   void add(const ErrorSum& other) {
@@ -64,6 +64,11 @@ struct Horizons {
   [[nodiscard]] std::size_t parity(std::size_t horizon) const { return horizon / held_out % 2; }
 };
 
+double sensor_variance(Axis axis, const gap::GapNoise<double>& noise, std::size_t sensor) {
+  if (axis == Axis::kSpindle) return sensor == 0 ? noise.speed_variance : noise.current_variance;
+  return sensor == 0 ? noise.feed_position_variance : noise.feed_speed_variance;
+}
+
 /// `by_parity[k]`: the model for what was held out with parity k. The observer settles before every horizon.
 ModelErrors errors_of(Axis axis, const RecordingSignals& signals, std::array<GapModel, 2> by_parity,
                       const Horizons& horizons) {
@@ -76,7 +81,10 @@ ModelErrors errors_of(Axis axis, const RecordingSignals& signals, std::array<Gap
       model.noise.free_from_s = free_from_s;
       run_observer(axis, signals, model, first - horizons.settling, horizons.last(h),
                    [&](const Innovation& v) {
-                     if (v.row >= first) sum[v.sensor].add(v);
+                     if (v.row < first) return;
+                     const double not_taken = (model.noise.doubt(signals.time_s(v.row)) - 1.0) *
+                                              sensor_variance(axis, model.noise, v.sensor);
+                     sum[v.sensor].add(v.value, v.variance - not_taken);
                    });
       return sum;
     };
@@ -156,18 +164,11 @@ Errors errors_of(const AxisDiagnosis& diagnosis, const Horizons& horizons) {
   return errors;
 }
 
-double sensor_deviation(Axis axis, const gap::GapNoise<double>& noise, std::size_t sensor) {
-  const std::array<double, 2> variance =
-      axis == Axis::kSpindle ? std::array{noise.speed_variance, noise.current_variance}
-                             : std::array{noise.feed_position_variance, noise.feed_speed_variance};
-  return std::sqrt(variance[sensor]);
-}
-
-/// What the observer of the model with effects expects of a step; of a free run, the sensor's noise.
-double floor_of(const Errors& errors, const AxisFit& fit, Kind kind, std::size_t sensor) {
-  if (kind == &ModelErrors::free_run) return sensor_deviation(fit.axis(), fit.model().noise, sensor);
+/// What the observer of the model with effects expects: of its sensor, and of what the machine does at
+/// random.
+double floor_of(const Errors& errors, Kind kind, std::size_t sensor) {
   ErrorSum sum;
-  for (const HorizonErrors& one : errors.back().one_step) sum.add(one[sensor]);
+  for (const HorizonErrors& one : errors.back().*kind) sum.add(one[sensor]);
   return sum.expected_rms();
 }
 
@@ -185,7 +186,7 @@ void compare_models(const AxisDiagnosis& diagnosis, std::uint64_t seed, Shrinkag
       const auto error = [&](const ModelErrors& model) { return error_of(model.*kind, sensor, unit, seed); };
       ModelComparison bars{error(errors[0]), error(errors[1]), error(errors[2])};
       // A sensor may be better than its machine file says: nothing is below the floor.
-      bars.noise_floor = std::min(bars.with_effect.value, floor_of(errors, fit, kind, sensor) / unit);
+      bars.noise_floor = std::min(bars.with_effect.value, floor_of(errors, kind, sensor) / unit);
       return bars;
     };
     const auto place = static_cast<std::size_t>(balance);

@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "lib/gap/reference_point.hpp"
 #include "lib/plant/integrators.hpp"
 #include "sim_host/simulate/sensor_effects.hpp"
 #include "sim_host/simulate/state_effects.hpp"
@@ -44,6 +45,7 @@ class SimulatedMachine {
   [[nodiscard]] gap::EffectSignals<double> signals_at(const PlantState<double>& state, double ahead_s,
                                                       const PlantInput<double>& input) const;
 
+  gap::ReferencePoint point_;
   int sensor_steps_;  ///< per period
   int steps_per_sensor_step_;
   double substep_s_;
