@@ -86,7 +86,9 @@ struct ModelComparison {
   ModelError datasheet;
   ModelError refit;
   ModelError with_effect;
-  double noise_floor = 0.0;
+  double noise_floor = 0.0;  ///< of the sensors, and of what the machine does at random
+  double sensor_floor =
+      0.0;  ///< of a free run, of the sensor alone: what a model does not know may look random
 };
 
 /// Balance by balance, of those that are watched.

@@ -87,10 +87,9 @@ class Duel {
                      freedom_cost(trial.fit, trial.fit.model().effects.back());
     const GapModel& model = trial.fit.model();
     const gap::AppliedEffect& newest = model.effects.back();
-    if (!std::isfinite(rival.evidence) || is_impossible(newest, model) || is_absurd(newest, trial.fit))
-      rival.evidence = -1.0e300;
-    else
-      promised_most_ = std::max(promised_most_, rival.promised);
+    const bool is_possible = !is_impossible(newest, model) && !is_absurd(newest, trial.fit);
+    if (is_possible) promised_most_ = std::max(promised_most_, rival.promised);
+    if (!is_possible || !std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
     if (!(rival.evidence > best_)) return;
     best_ = rival.evidence;
     kept_ = best_ / rival.promised;

@@ -186,7 +186,12 @@ void compare_models(const AxisDiagnosis& diagnosis, std::uint64_t seed, Shrinkag
       const auto error = [&](const ModelErrors& model) { return error_of(model.*kind, sensor, unit, seed); };
       ModelComparison bars{error(errors[0]), error(errors[1]), error(errors[2])};
       // A sensor may be better than its machine file says: nothing is below the floor.
-      bars.noise_floor = std::min(bars.with_effect.value, floor_of(errors, kind, sensor) / unit);
+      bars.noise_floor = bars.sensor_floor =
+          std::min(bars.with_effect.value, floor_of(errors, kind, sensor) / unit);
+      if (kind == &ModelErrors::free_run) {
+        const double variance = sensor_variance(fit.axis(), fit.model().noise, sensor);
+        bars.sensor_floor = std::min(bars.noise_floor, std::sqrt(variance) / unit);
+      }
       return bars;
     };
     const auto place = static_cast<std::size_t>(balance);

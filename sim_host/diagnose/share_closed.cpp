@@ -34,6 +34,14 @@ double share_of(std::span<const BalanceRows> balances, std::span<const double> f
   return open > 0.0 ? std::clamp(closed / open, -1.0, 1.0) : 0.0;
 }
 
+/// Of what the refitted model predicts worse than `floor`, how much is gone with the effects.
+double share_beyond(double floor, const ModelComparison& models) {
+  if (!std::isfinite(models.with_effect.value)) return -std::numeric_limits<double>::infinity();
+  const auto excess = [floor](const ModelError& error) { return error.value * error.value - floor * floor; };
+  const double before = excess(models.refit);
+  return before > 0.0 ? 1.0 - excess(models.with_effect) / before : 1.0;
+}
+
 /// Is a model that runs free beyond noise, and as far with the effects as without them, wherever they act?
 bool runs_as_far(const Comparisons& free_run) {
   constexpr double kBeyondNoise = 1.05;
@@ -42,7 +50,7 @@ bool runs_as_far(const Comparisons& free_run) {
   for (const std::optional<ModelComparison>& models : free_run) {
     if (!models || models->refit.value == models->with_effect.value) continue;
     if (!(models->refit.interval90[0] > kBeyondNoise * models->noise_floor)) continue;
-    if (share_predicted(models) > kAsFar) return false;
+    if (share_beyond(models->noise_floor, *models) > kAsFar) return false;
     is_any = true;
   }
   return is_any;
@@ -51,13 +59,7 @@ bool runs_as_far(const Comparisons& free_run) {
 }  // namespace
 
 double share_predicted(const std::optional<ModelComparison>& models) {
-  if (!models) return 1.0;
-  if (!std::isfinite(models->with_effect.value)) return -std::numeric_limits<double>::infinity();
-  const auto excess = [&models](const ModelError& error) {
-    return error.value * error.value - models->noise_floor * models->noise_floor;
-  };
-  const double before = excess(models->refit);
-  return before > 0.0 ? 1.0 - excess(models->with_effect) / before : 1.0;
+  return models ? share_beyond(models->sensor_floor, *models) : 1.0;
 }
 
 void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,

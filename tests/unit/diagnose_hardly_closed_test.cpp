@@ -23,8 +23,11 @@ Shrinkage shrinkage(double most, double refit, double with_effect) {
   Shrinkage result;
   result.share_closed = 0.9 * most;
   result.interval90 = {0.5 * most, most};
-  result.one_step_nrmse[kFeed] =
-      ModelComparison{.datasheet = {9.0}, .refit = {refit}, .with_effect = {with_effect}, .noise_floor = 1.0};
+  result.one_step_nrmse[kFeed] = ModelComparison{.datasheet = {9.0},
+                                                 .refit = {refit},
+                                                 .with_effect = {with_effect},
+                                                 .noise_floor = 1.0,
+                                                 .sensor_floor = 1.0};
   return result;
 }
 
@@ -38,7 +41,8 @@ Shrinkage run_free(Shrinkage steps, double refit, double with_effect) {
   steps.free_run_nrmse[kFeed] = ModelComparison{.datasheet = {9.0},
                                                 .refit = {refit, {0.95 * refit, 1.05 * refit}},
                                                 .with_effect = {with_effect},
-                                                .noise_floor = 1.0};
+                                                .noise_floor = 1.0,
+                                                .sensor_floor = 1.0};
   return steps;
 }
 
@@ -59,9 +63,16 @@ TEST(HardlyClosed, IsAGapOfWhichAFreeRunIsNoBetter) {
   EXPECT_FALSE(is_hardly_closed(run_free(little, 2.7, 2.7), shown)) << "where no effect acts";
   EXPECT_FALSE(is_hardly_closed(run_free(shrinkage(0.71, 1.001, 1.0), 2.7, 3.0), shown));
   EXPECT_FALSE(is_hardly_closed(run_free(little, 1.1, 1.2), shown)) << "noise";
+  Shrinkage shaken = run_free(little, 2.7, 2.65);
+  shaken.free_run_nrmse[kFeed]->noise_floor = 2.6;
+  EXPECT_FALSE(is_hardly_closed(shaken, shown)) << "random forces";
   Shrinkage elsewhere = run_free(little, 2.7, 3.0);
-  elsewhere.free_run_nrmse[static_cast<std::size_t>(gap::Balance::kSpindleTorque)] = ModelComparison{
-      .datasheet = {9.0}, .refit = {2.7, {2.5, 2.9}}, .with_effect = {1.2}, .noise_floor = 1.0};
+  elsewhere.free_run_nrmse[static_cast<std::size_t>(gap::Balance::kSpindleTorque)] =
+      ModelComparison{.datasheet = {9.0},
+                      .refit = {2.7, {2.5, 2.9}},
+                      .with_effect = {1.2},
+                      .noise_floor = 1.0,
+                      .sensor_floor = 1.0};
   EXPECT_FALSE(is_hardly_closed(elsewhere, shown));
 }
 
@@ -106,7 +117,7 @@ TEST(KeptGap, IsNoneOfAModelThatRunsRight) {
   EXPECT_TRUE(keeps_a_gap(run_free({}, 5.6, 1.7), shown));
   Shrinkage away = run_free({}, 5.6, std::nan(""));
   EXPECT_TRUE(keeps_a_gap(away, shown)) << "diverges";
-  away.free_run_nrmse[kFeed]->noise_floor = std::nan("");
+  away.free_run_nrmse[kFeed]->noise_floor = away.free_run_nrmse[kFeed]->sensor_floor = std::nan("");
   EXPECT_TRUE(keeps_a_gap(away, shown)) << "as it is stated then";
 }
 
