@@ -36,8 +36,8 @@ class GapWatchAxis {
                              const std::array<Real, kParameters>& value, const GapLimits& limits)
       : observer_(machine, point, step_s, noise), evaluation_(value, limits) {
     for (const BoardForm& form : forms)
-      if (is_candidate(form.effect, machine) && !limits.forms.has(form.effect)) add(form.at(step_s));
-    for (std::size_t i = 0; i < limits.forms.count; ++i) add(limits.forms.form[i]);
+      if (is_candidate(form.effect, machine) && !limits.forms.has(form.effect)) add(form.at(step_s), false);
+    for (std::size_t i = 0; i < limits.forms.count; ++i) add(limits.forms.form[i], true);
   }
 
   Observer& observer() { return observer_; }
@@ -79,8 +79,8 @@ class GapWatchAxis {
 
  private:
   /// A form that finds no room is not looked for.
-  void add(const EffectForm& form) {
-    if (form.parts > 0 && observer_.terms().add(form)) evaluation_.add(form);
+  void add(const EffectForm& form, bool is_told) {
+    if (form.parts > 0 && observer_.terms().add(form)) evaluation_.add(form, is_told);
   }
 
   // A row beyond this many standard deviations counts as one of them (Huber).

@@ -29,8 +29,12 @@ class GapWatchEvaluation {
       expect(j, value[j], static_cast<Real>(limits.parameter_spread) * value[j]);
   }
 
-  /// The next form in the order of the columns; at most kForms.
-  void add(const EffectForm& form) { forms_[form_count_++] = form; }
+  /// The next form in the order of the columns; at most kForms. From the first one on that `is_told`, all
+  /// are: a host has seen this machine, or another one like it, to have them.
+  void add(const EffectForm& form, bool is_told) {
+    if (is_told) told_from_ = std::min(told_from_, form_count_);
+    forms_[form_count_++] = form;
+  }
 
   void begin() {
     prior_ = {};
@@ -81,6 +85,8 @@ class GapWatchEvaluation {
   static constexpr Real kAllExplained = Real(1.15);
   // Of what is beyond noise: shapes that are not quite the machine's leave something.
   static constexpr Real kMostLeft = Real(0.5);
+  // A large effect is far from linear; that it is there, the host knows better.
+  static constexpr Real kMostLeftByTold = Real(0.75);
   // Several together explain much of anything: random loads of some duration, for example.
   static constexpr Real kMostLeftBySeveral = Real(0.2);
   static constexpr Real kMostNameless = Real(0.2);
@@ -177,6 +183,7 @@ class GapWatchEvaluation {
   }
 
   void take_first() {
+    is_told_ = best_ >= told_from_;
     draft_.effect = forms_[best_].effect;
     draft_.where = group_of(draft_.effect);
     draft_.evidence = static_cast<float>(evidence_[best_]);
@@ -229,7 +236,10 @@ class GapWatchEvaluation {
     return is_named && (rest_ < kAllExplained * noise() || rest_ - noise() < most_left() * excess);
   }
 
-  [[nodiscard]] Real most_left() const { return found_ > 1 ? kMostLeftBySeveral : kMostLeft; }
+  [[nodiscard]] Real most_left() const {
+    if (found_ > 1) return kMostLeftBySeveral;
+    return is_told_ ? kMostLeftByTold : kMostLeft;
+  }
 
   [[nodiscard]] bool is_effect() const {
     return evidence_[best_] > threshold_ && gain_[best_] > second_order_ * (whole_ - refitted_);
@@ -242,6 +252,8 @@ class GapWatchEvaluation {
 
   std::array<EffectForm, kForms> forms_{};
   std::size_t form_count_ = 0;
+  std::size_t told_from_ = kForms;                    ///< number of the first form that a host has told
+  bool is_told_ = false;                              ///< the effect that was found first
   std::array<Real, kParameters> datasheet_spread_{};  ///< of the parameters, in the unit of their columns
   std::array<Real, kParameters> precision_{};  ///< inverse of how far they may be off; 0: not a parameter
   Real threshold_;

@@ -101,6 +101,17 @@ TEST(GapWatch, KnowsTheFormsThatAMachineWasSeenToHave) {
   EXPECT_EQ(finding.effect, Effect::kSpindleCogging) << name(finding.effect);
 }
 
+// A large drop is far from linear: its column leaves more than half of the gap. What a host has not told of
+// is not believed then.
+TEST(GapWatch, BelievesALargeEffectThatItWasToldOf) {
+  const AppliedEffect drop = test::gap_effect(Effect::kBrushVoltageDrop, 4.0);
+  const GapRun run{.effects = {drop}, .duration_s = 24.0, .seed = 7};
+  EXPECT_EQ(found(run).verdict, GapVerdict::kUnexplained);
+  const GapFinding finding = found_with(run, drop.form);
+  EXPECT_EQ(finding.verdict, GapVerdict::kEffect);
+  EXPECT_EQ(finding.effect, Effect::kBrushVoltageDrop) << name(finding.effect);
+}
+
 TEST(GapWatch, DoesNotLookForWhatWasTakenAway) {
   const GapRun run{
       .effects = {test::gap_effect(Effect::kFeedForceOffset, 3.0)}, .duration_s = 24.0, .seed = 7};
