@@ -72,6 +72,7 @@ void run(const DiagnoseArguments& arguments) {
   const auto applied = open_if_asked(arguments.apply);
   const auto page = open_if_asked(arguments.report);
   RecordingSignals signals = load_signals(recording, machine.usable_channels());
+  for (const std::string& notice : impossible_samples(signals)) warn(notice);
   check_contact(signals, machine);
   if (report) {
     report->take_recording(signals, machine);

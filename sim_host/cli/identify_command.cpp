@@ -110,6 +110,7 @@ void run(const IdentifyArguments& arguments) {
   const auto applied = open_if_asked(arguments.apply);
   const auto page = open_if_asked(arguments.report);
   const RecordingSignals signals = load_signals(recording, machine.usable_channels());
+  for (const std::string& notice : impossible_samples(signals)) warn(notice);
   check_contact(signals, machine);
   note_assumptions(signals, machine);
   IdentificationResult result = result_of(signals, machine, arguments);

@@ -61,7 +61,10 @@ class Loader {
     for (std::size_t i = 0; i < kChannelCount; ++i) {
       const auto channel = static_cast<Channel>(i);
       if (!frame.has(channel) || (usable_ & bit_of(channel)) == 0) continue;
-      if (!is_possible(i, frame.value[i])) continue;
+      if (!is_possible(i, frame.value[i])) {
+        if (!std::isnan(frame.value[i])) ++signals_.impossible[i];
+        continue;
+      }
       auto& column = signals_.value[i];
       column.resize(row, kMissing);
       column.push_back(frame.value[i]);
@@ -81,6 +84,18 @@ class Loader {
 
 RecordingSignals load_signals(RecordingReader& recording, std::uint16_t usable) {
   return Loader(recording, usable).load();
+}
+
+std::vector<std::string> impossible_samples(const RecordingSignals& signals) {
+  std::vector<std::string> notices;
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
+    if (signals.impossible[i] == 0) continue;
+    const ChannelInfo& info = kChannels[i];
+    notices.push_back(
+        fmt::format("{}: {} of {} samples are outside {:g} .. {:g} and count as missing; is the unit right?",
+                    info.column, signals.impossible[i], signals.rows, info.lowest, info.highest));
+  }
+  return notices;
 }
 
 void check_contact(const RecordingSignals& signals, const MachineDescription& machine) {

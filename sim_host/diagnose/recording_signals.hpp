@@ -31,6 +31,8 @@ struct RecordingSignals {
   bool is_current_driven = false;  ///< the spindle's voltage is not recorded, it follows from the current
   std::uint16_t recorded = 0;      ///< bit_of(channel) of what was sampled at least once
   std::array<std::vector<float>, kChannelCount> value;  ///< NaN where there is no sample; empty where never
+  std::array<std::size_t, kChannelCount>
+      impossible{};  ///< samples that no sensor of that kind gives: not taken
 
   /// Temperatures freed of their sensors' noise; empty: as recorded. A winding's that was not recorded may
   /// follow from its current.

@@ -137,6 +137,22 @@ class PartialRecording(Diagnose):
         mass = {p["name"]: p for p in result["parameters"]}["mass_kg"]
         self.assertAlmostEqual(mass["refit"], 3.0, delta=max(5 * mass["standard_error"], 0.003))
 
+    def test_samples_that_no_sensor_gives_are_missing_and_said_to_be(self):
+        self.simulate()
+        lines = (self.folder / "run.csv").read_text().splitlines(keepends=True)
+        names = next(line for line in lines if line.startswith("time_s")).strip().split(",")
+        place = names.index("spindle_speed_rad_s")
+        first = next(i for i, line in enumerate(lines) if line[0].isdigit())
+        for i in range(first + 500, first + 600):
+            cells = lines[i].split(",")
+            cells[place] = "-inf" if i % 2 else "9e9"
+            lines[i] = ",".join(cells)
+        self.write("wild.csv", "".join(lines))
+        for command in ("diagnose", "identify"):
+            done = self.must_do(command, "wild.csv")
+            self.assertIn("spindle_speed_rad_s: 100 of ", done.stderr)
+            self.assertIn("samples are outside -20000 .. 20000 and count as missing", done.stderr)
+
     def test_too_short_says_so(self):
         self.simulate(duration=0.05)
         result = self.diagnose()
