@@ -90,6 +90,7 @@ class Duel {
     const bool is_possible = !is_impossible(newest, model) && !is_absurd(newest, trial.fit);
     if (is_possible) promised_most_ = std::max(promised_most_, rival.promised);
     if (!is_possible || !std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
+    if (rival.evidence >= terms_.least_evidence) ++kept_trials_;
     if (!(rival.evidence > best_)) return;
     best_ = rival.evidence;
     kept_ = best_ / rival.promised;
@@ -117,7 +118,7 @@ class Duel {
     if (rival.evidence < terms_.least_evidence) return false;
     const double best = std::min(best_, promised_most_);
     return best < terms_.least_evidence ||
-           (trials_.size() < kMostRivals && rival.evidence >= kNearlyAsGood * best);
+           (kept_trials_ < kMostRivals && rival.evidence >= kNearlyAsGood * best);
   }
 
   /// A lag, a delay and a bandwidth do nearly the same of one size, and bent parameters hide which: where one
@@ -157,7 +158,8 @@ class Duel {
   const DuelTerms& terms_;
   AxisFit::Rival without_;
   std::vector<EffectTrial> trials_;
-  double promised_most_ = 0.0;  ///< to one that is possible
+  std::size_t kept_trials_ = 0;  ///< those that came to something
+  double promised_most_ = 0.0;   ///< to one that is possible
   double best_ = 0.0;
   double kept_ = 1.0;  ///< of what the linearisation promised to the best
   Family family_ = Family::kNone;

@@ -60,6 +60,12 @@ class SeenTrials(unittest.TestCase):
         self.assertTrue(trial.top_is_exact())
         self.assertEqual(len(trial.named), 1)
 
+    def test_trials_that_come_to_nothing_do_not_take_those_of_what_promises_as_much(self):
+        # Two that explain most beside the datasheet's values came first, an offset third, and this fourth.
+        trial = self.trial(151, 498)
+        self.assertEqual(trial.truths, ["brush_voltage_drop"])
+        self.assertTrue(trial.top_is_exact())
+
     def test_what_an_effect_of_another_shape_leaves_is_not_taken_for_noise(self):
         trial = self.trial(41, 485)
         self.assertEqual(trial.truths, ["feed_screw_periodic"])
