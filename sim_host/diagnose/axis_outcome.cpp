@@ -213,8 +213,9 @@ void drop_what_needs_no_names(AxisOutcome& outcome) {
   outcome.leftover = std::move(nameless);
 }
 
-/// Has it found something, or is there no process noise that something may hide in? A lag of 0.4 ms took
-/// twenty-five times the least that is fitted.
+/// Has it found something in the feed, or is there no process noise that something may hide in? A lag of
+/// 0.4 ms took twenty-five times the least that is fitted. Where the machine file states a dry friction, more
+/// is always fitted, and this is not known.
 bool tells_all(const AxisDiagnosis& diagnosis) {
   constexpr double kHardlyMore = 10.0;
   gap::GapNoise<double> least = diagnosis.nominal.model().noise;

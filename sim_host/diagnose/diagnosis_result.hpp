@@ -86,9 +86,10 @@ struct ModelComparison {
   ModelError datasheet;
   ModelError refit;
   ModelError with_effect;
-  double noise_floor = 0.0;  ///< of the sensors, and of what the machine does at random
-  double sensor_floor =
-      0.0;  ///< of a free run, of the sensor alone: what a model does not know may look random
+  /// What an observer expects: of the sensors, and of what the machine does at random.
+  double noise_floor = 0.0;
+  /// Of a free run, the sensor's alone: what a model does not know may look random. Of one step, the same.
+  double sensor_floor = 0.0;
 };
 
 /// Balance by balance, of those that are watched.

@@ -56,6 +56,7 @@ class Duel {
       }
       if (i >= sure) trials_.push_back(tried(ranked[i]));
       weigh(i < sure ? trials_[i] : trials_.back(), ranked[i]);
+      if (ranked[i].evidence >= terms_.least_evidence) ++kept_trials_;
     }
     for (Candidate& rival : ranked) sharpen_near(rival);
     std::sort(ranked.begin(), ranked.end(),
@@ -90,7 +91,6 @@ class Duel {
     const bool is_possible = !is_impossible(newest, model) && !is_absurd(newest, trial.fit);
     if (is_possible) promised_most_ = std::max(promised_most_, rival.promised);
     if (!is_possible || !std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
-    if (rival.evidence >= terms_.least_evidence) ++kept_trials_;
     if (!(rival.evidence > best_)) return;
     best_ = rival.evidence;
     kept_ = best_ / rival.promised;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,9 +92,12 @@ std::vector<std::string> impossible_samples(const RecordingSignals& signals) {
   for (std::size_t i = 0; i < kChannelCount; ++i) {
     if (signals.impossible[i] == 0) continue;
     const ChannelInfo& info = kChannels[i];
+    const auto& taken = signals.value[i];
+    const auto possible = std::count_if(taken.begin(), taken.end(), [](float v) { return v == v; });
+    const std::size_t all = signals.impossible[i] + static_cast<std::size_t>(possible);
     notices.push_back(
         fmt::format("{}: {} of {} samples are outside {:g} .. {:g} and count as missing; is the unit right?",
-                    info.column, signals.impossible[i], signals.rows, info.lowest, info.highest));
+                    info.column, signals.impossible[i], all, info.lowest, info.highest));
   }
   return notices;
 }

@@ -22,8 +22,8 @@ inline constexpr double kUnseen = 60.0;
 void share_closed(std::span<const BalanceRows> balances, std::span<const UnnamedPower> unnamed,
                   std::uint64_t seed, Shrinkage& shrinkage);
 
-/// Of what the refitted model predicts worse than the sensors' noise lets, how much is gone with the effects;
-/// all of it where nothing was to be gained, less than nothing where the errors run away.
+/// Of what the refitted model predicts worse than its `sensor_floor`, how much is gone with the effects; all
+/// of it where nothing was to be gained, less than nothing where the errors run away.
 double share_predicted(const std::optional<ModelComparison>& models);
 
 /// Is so little left of the gap, in pieces that were not fitted to, that names explain it, whatever
@@ -35,9 +35,9 @@ inline bool is_nearly_closed(const Shrinkage& shrinkage) { return shrinkage.inte
 /// other simulators closed up to 0.82 of their gap at least, or predicted 0.45 of it, but for a backlash.
 /// Where not a third can have been closed, it is no matter how little there was to predict within a step;
 /// what runs free is far more wrong then. Nor does it matter how much rows still show where a model that runs
-/// free is beyond noise, random forces included, and no nearer with the effects: 0.11 of that is the least
-/// that right names gained, and 0.01 the most that a saturating force did, which three slides were said to
-/// have whose mass depends on the place.
+/// free is beyond noise, random forces included, and no nearer with the effects. Beyond the sensors' noise
+/// alone, 0.11 is the least that right names gained, and 0.01 the most that a saturating force did, which
+/// three slides were said to have whose mass depends on the place.
 bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult> where);
 
 /// Share of its gap that a balance keeps with the effects; 0 where it is within 1.3 times the noise.

@@ -37,7 +37,8 @@ PlantDerivative<double> rate_between(const PlantState<double>& a, const PlantSta
           (b.current_a - a.current_a) / step_s};
 }
 
-/// Does it move as no machine does? A recording holds floats, which would be infinite before a state is.
+/// Does it move as no machine does? Far beyond what any profile asks for, and long before a speed is too
+/// large for the floats of a recording.
 bool runs_away(const PlantState<double>& state, const gap::ReferencePoint& point) {
   constexpr double kFar = 1000.0;
   const bool is_near = std::fabs(state.speed_rad_s) < kFar * point.speed_rad_s &&
