@@ -38,6 +38,7 @@ bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b
 /// Comes first, and is promised at least as much as the best so far: it gets its trial.
 void prefer(Candidate preferred, double most, std::vector<Candidate>& ranked) {
   std::erase_if(ranked, [&](const Candidate& c) { return c.form.effect == preferred.form.effect; });
+  preferred.is_lifted = preferred.evidence < most;
   preferred.evidence = std::max(preferred.evidence, most);
   ranked.insert(ranked.begin(), std::move(preferred));
 }
@@ -157,8 +158,7 @@ class DiagnosisSearch {
       return c.form.effect == gap::Effect::kFeedForceOffset;
     });
     if (!is_held || force == ranked.end()) return;
-    force->evidence = std::max(ranked.front().evidence, diagnosis_.least_evidence);
-    std::rotate(ranked.begin(), force, force + 1);
+    prefer(*force, std::max(ranked.front().evidence, diagnosis_.least_evidence), ranked);
   }
 
   /// What comes back with every turn is known before it comes: a memory of what was left takes nearly all of
@@ -167,7 +167,9 @@ class DiagnosisSearch {
     if (ranked.empty() || leaves_noise(fit_)) return;
     AxisFit plain = fit_;
     plain.set_whitening(without_memory(fit_.whitening()));
-    auto seen = rank_candidates(plain, plain.collect_with_each(diagnosis_.others), diagnosis_.others);
+    const GapStatistics statistics = plain.collect_with_each(diagnosis_.others);
+    auto seen = rank_candidates(plain, statistics, diagnosis_.others);
+    let_set_in(plain, statistics, seen);
     if (seen.empty() || !is_periodic(seen.front().form.effect)) return;
     seen.front().evidence = diagnosis_.least_evidence;  // that of whitened rows is another one
     prefer(std::move(seen.front()), ranked.front().evidence, ranked);

@@ -51,7 +51,7 @@ class Duel {
     const std::size_t sure = trials_.size();
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       if (i >= sure && !gets_its_turn(ranked[i])) {
-        ranked[i].evidence *= kept_;
+        ranked[i].evidence = std::min(kept_ * ranked[i].evidence, best_);
         continue;
       }
       if (i >= sure) trials_.push_back(tried(ranked[i]));
@@ -59,8 +59,8 @@ class Duel {
       if (ranked[i].evidence >= terms_.least_evidence) ++kept_trials_;
     }
     for (Candidate& rival : ranked) sharpen_near(rival);
-    std::sort(ranked.begin(), ranked.end(),
-              [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
     put_plain_first(ranked);
     const AxisFit* winner = fit_of(ranked.front());
     return winner != nullptr ? *winner : fit_;
@@ -71,11 +71,13 @@ class Duel {
     return try_effect(fit_, rival, without_, terms_.is_astray);
   }
 
-  /// Those that get a trial whatever the others turn out to be worth, side by side.
+  /// Those that get a trial whatever the others turn out to be worth, side by side: the best, and all that
+  /// were lifted to be as good.
   void try_sure_ones(const std::vector<Candidate>& ranked) {
-    const double enough = std::max(kNearlyAsGood * ranked.front().evidence, terms_.least_evidence);
+    const double most = ranked.front().evidence;
+    const double enough = std::max(kNearlyAsGood * most, terms_.least_evidence);
     std::size_t count = 0;
-    while (count < std::min(kMostRivals, ranked.size()) && ranked[count].evidence >= enough) ++count;
+    while (count < ranked.size() && ranked[count].evidence >= (count < kMostRivals ? enough : most)) ++count;
     std::vector<std::optional<EffectTrial>> trials(count);
     in_parallel(count, [&](std::size_t i) { trials[i] = tried(ranked[i]); });
     for (auto& trial : trials) trials_.push_back(std::move(*trial));
@@ -94,6 +96,7 @@ class Duel {
     if (!(rival.evidence > best_)) return;
     best_ = rival.evidence;
     kept_ = best_ / rival.promised;
+    if (rival.is_lifted) kept_ = std::min(kept_, 1.0);
     family_ = family_of(rival.form.effect);
   }
 
@@ -161,7 +164,7 @@ class Duel {
   std::size_t kept_trials_ = 0;  ///< those that came to something
   double promised_most_ = 0.0;   ///< to one that is possible
   double best_ = 0.0;
-  double kept_ = 1.0;  ///< of what the linearisation promised to the best
+  double kept_ = 1.0;  ///< of what the linearisation promised to the best; of a lifted one at most all
   Family family_ = Family::kNone;
 };
 

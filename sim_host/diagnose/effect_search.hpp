@@ -14,7 +14,8 @@ struct Candidate {
   double evidence = 0.0;    ///< n ln(RSS without / RSS with) - dof ln n
   double promised = 0.0;    ///< the same before any of the rivals was fitted
   std::vector<double> coefficient;
-  double onset_s = 0.0;  ///< sets in there
+  double onset_s = 0.0;    ///< sets in there
+  bool is_lifted = false;  ///< to what the best promises, so that it gets its trial
 };
 
 /// Every effect once, by its best form, most evidence first. Last those that would have to act the wrong way,

@@ -104,7 +104,7 @@ bool runs_free_with(const AxisDiagnosis& diagnosis, std::size_t index) {
   Shrinkage errors;
   compare_models(one, 0, errors);
   const auto is_nearer = [](const std::optional<ModelComparison>& models) {
-    return models && models->refit.value > kVisible * models->noise_floor &&
+    return models && models->refit.value > kVisible * models->sensor_floor &&
            share_predicted(models) > kNearer;
   };
   return std::any_of(errors.free_run_nrmse.begin(), errors.free_run_nrmse.end(), is_nearer);

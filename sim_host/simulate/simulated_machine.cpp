@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim_host/simulate/effect_rate.hpp"
@@ -37,13 +38,15 @@ PlantDerivative<double> rate_between(const PlantState<double>& a, const PlantSta
           (b.current_a - a.current_a) / step_s};
 }
 
-/// Does it move as no machine does? Far beyond what any profile asks for, and long before a speed is too
-/// large for the floats of a recording.
-bool runs_away(const PlantState<double>& state, const gap::ReferencePoint& point) {
+/// Is it where no machine is? Far beyond what any profile asks for, and long before anything is too large for
+/// the floats of a recording.
+bool is_away(const PlantState<double>& state, const gap::ReferencePoint& point) {
   constexpr double kFar = 1000.0;
-  const bool is_near = std::fabs(state.speed_rad_s) < kFar * point.speed_rad_s &&
-                       std::fabs(state.feed_speed_m_s) < kFar * point.feed_speed_m_s;
-  return !is_near || !std::isfinite(state.current_a);
+  constexpr double kSlowestFeedMS = 1.0e-3;  // of one that hardly moves this is far, too
+  const double feed_speed_m_s = std::max(point.feed_speed_m_s, kSlowestFeedMS);
+  return !(std::fabs(state.speed_rad_s) < kFar * point.speed_rad_s &&
+           std::fabs(state.feed_speed_m_s) < kFar * feed_speed_m_s &&
+           std::fabs(state.current_a) < kFar * point.current_a);
 }
 
 bool is_zero(const PlantDerivative<double>& rate) {
@@ -74,12 +77,17 @@ void SimulatedMachine::step(const PlantInput<double>& input) {
     square_a2 += state_.current_a * state_.current_a;
     if (!sensor_effects_.is_empty()) sensor_effects_.step(signals_at(state_, 0.0, input));
   }
-  if (runs_away(state_, point_))
-    throw UserError(
-        fmt::format("the simulated machine runs away {:.4g} s after its start: an effect is larger "
-                    "than a machine can have it; make it smaller",
-                    steps_done_ * substep_s_));
+  if (is_away(state_, point_)) refuse_to_run_away();
   temperatures_.step(square_a2 / sensor_steps_, input.contact);
+}
+
+void SimulatedMachine::refuse_to_run_away() const {
+  const bool has_effects = !state_effects_.is_empty() || !sensor_effects_.is_empty();
+  const char* const cause = has_effects ? "an effect" : "a parameter or a random force";
+  throw UserError(fmt::format(
+      "the simulated machine runs away {:.4g} s after its start: {} is not what a machine can have; make it "
+      "smaller",
+      steps_done_ * substep_s_, cause));
 }
 
 void SimulatedMachine::substep(const PlantInput<double>& input) {

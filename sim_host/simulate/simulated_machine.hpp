@@ -15,7 +15,7 @@ namespace morepro::host {
 class SimulatedMachine {
  public:
   /// `period_s` > 0: time between two samples; inputs are held over it. Throws UserError where the effects
-  /// are too stiff to be simulated, and step() where they make the machine run away.
+  /// are too stiff to be simulated, and step() where the machine runs away.
   SimulatedMachine(const MachineParameters& machine, double period_s,
                    std::span<const gap::AppliedEffect> effects = {},
                    double longest_substep_s = kLongestSubstepS);
@@ -40,6 +40,7 @@ class SimulatedMachine {
   // bit.
   static constexpr double kLongestSubstepS = 20.0e-6;
 
+  [[noreturn]] void refuse_to_run_away() const;
   void substep(const PlantInput<double>& input);
   [[nodiscard]] PlantState<double> with_effects(const PlantInput<double>& input);
   [[nodiscard]] gap::EffectSignals<double> signals_at(const PlantState<double>& state, double ahead_s,

@@ -66,6 +66,10 @@ TEST(HardlyClosed, IsAGapOfWhichAFreeRunIsNoBetter) {
   Shrinkage shaken = run_free(little, 2.7, 2.65);
   shaken.free_run_nrmse[kFeed]->noise_floor = 2.6;
   EXPECT_FALSE(is_hardly_closed(shaken, shown)) << "random forces";
+  shaken.free_run_nrmse[kFeed]->noise_floor = 2.0;
+  EXPECT_FALSE(is_hardly_closed(shaken, shown)) << "nearer to them";
+  shaken.free_run_nrmse[kFeed]->with_effect = {2.68};
+  EXPECT_TRUE(is_hardly_closed(shaken, shown)) << "beyond them, and no nearer";
   Shrinkage elsewhere = run_free(little, 2.7, 3.0);
   elsewhere.free_run_nrmse[static_cast<std::size_t>(gap::Balance::kSpindleTorque)] =
       ModelComparison{.datasheet = {9.0},

@@ -1,0 +1,66 @@
+// Which of the candidates for a cause get a trial, and what is said of those that get none.
+#include <gtest/gtest.h>
+
+#include "sim_host/diagnose/candidate_forms.hpp"
+#include "sim_host/diagnose/effect_duel.hpp"
+#include "tests/unit/diagnose_support.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+using host::Axis;
+using host::AxisFit;
+using host::Candidate;
+
+constexpr double kLeast = 5.0;
+
+/// A feed axis with a constant force, its model without one, and what promises to explain it.
+class Duel : public testing::Test {
+ protected:
+  static AxisFit settled(const RecordingSignals& signals) {
+    AxisFit fit(Axis::kFeed, signals, gap_model(datasheet(0.0), signals));
+    fit.settle();
+    return fit;
+  }
+
+  /// `rival` as it is ranked, with another promise.
+  Candidate promising(Effect rival, double evidence, bool is_lifted) const {
+    const auto forms = host::candidate_forms(Axis::kFeed, signals_, fit_.model(), {});
+    for (Candidate& one : host::rank_candidates(fit_, fit_.collect_with_each(forms), forms)) {
+      if (one.form.effect != rival) continue;
+      one.evidence = evidence;
+      one.is_lifted = is_lifted;
+      return one;
+    }
+    ADD_FAILURE() << gap::info_of(rival).name;
+    return {};
+  }
+
+  RecordingSignals signals_ = record({.effects = {effect(Effect::kFeedForceOffset, 6.0)}, .duration_s = 2.0});
+  AxisFit fit_ = settled(signals_);
+};
+
+// Three that were lifted to the promise of the best would take its trial.
+TEST_F(Duel, LetsTheBestInBesideAllThatWereLifted) {
+  std::vector<Candidate> ranked{promising(Effect::kFeedSpring, 900.0, true),
+                                promising(Effect::kFeedCuttingSpeedDependence, 900.0, true),
+                                promising(Effect::kFeedAsymmetricFriction, 900.0, true),
+                                promising(Effect::kFeedForceOffset, 900.0, false)};
+  const AxisFit winner = host::duel(fit_, {kLeast, false}, ranked);
+  ASSERT_EQ(winner.model().effects.size(), 1U);
+  EXPECT_EQ(winner.model().effects.front().form.effect, Effect::kFeedForceOffset);
+  EXPECT_EQ(ranked.front().form.effect, Effect::kFeedForceOffset);
+}
+
+// What it is worth beyond its promise says nothing of theirs: it has none of its own.
+TEST_F(Duel, JudgesNoneByAPromiseThatWasLifted) {
+  std::vector<Candidate> ranked{promising(Effect::kFeedForceOffset, 100.0, true),
+                                promising(Effect::kFeedScrewPeriodic, 50.0, false)};
+  host::duel(fit_, {kLeast, false}, ranked);
+  ASSERT_EQ(ranked.front().form.effect, Effect::kFeedForceOffset);
+  EXPECT_GT(ranked.front().evidence, 200.0);
+  EXPECT_DOUBLE_EQ(ranked.back().evidence, 50.0);
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test
