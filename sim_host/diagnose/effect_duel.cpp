@@ -56,7 +56,7 @@ class Duel {
       }
       if (i >= sure) trials_.push_back(tried(ranked[i]));
       weigh(i < sure ? trials_[i] : trials_.back(), ranked[i]);
-      if (ranked[i].evidence >= terms_.least_evidence) ++kept_trials_;
+      if (!ranked[i].is_lifted && ranked[i].evidence >= terms_.least_evidence) ++kept_trials_;
     }
     for (Candidate& rival : ranked) sharpen_near(rival);
     std::stable_sort(ranked.begin(), ranked.end(),
@@ -161,7 +161,7 @@ class Duel {
   const DuelTerms& terms_;
   AxisFit::Rival without_;
   std::vector<EffectTrial> trials_;
-  std::size_t kept_trials_ = 0;  ///< those that came to something
+  std::size_t kept_trials_ = 0;  ///< those that came to something, but for what was lifted
   double promised_most_ = 0.0;   ///< to one that is possible
   double best_ = 0.0;
   double kept_ = 1.0;  ///< of what the linearisation promised to the best; of a lifted one at most all

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "lib/gap/dry_friction.hpp"
-#include "sim_host/diagnose/effect_trial.hpp"
 #include "sim_host/diagnose/noise_fit.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -87,8 +86,7 @@ void begin_with_one_step(const AxisFit& start, AxisFit& best, AxisFit& other) {
   });
   const AxisFit usual = best;
   for (AxisFit& fit : fits) {
-    if (!leaves_noise(fit) || (is_bent(fit) && !is_bent(usual))) continue;
-    if (!(fit.unlikeliness() < best.unlikeliness())) continue;
+    if (!leaves_noise(fit) || !(fit.unlikeliness() < best.unlikeliness())) continue;
     best = std::move(fit);
     other = usual;
   }

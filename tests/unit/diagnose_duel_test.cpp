@@ -52,6 +52,16 @@ TEST_F(Duel, LetsTheBestInBesideAllThatWereLifted) {
   EXPECT_EQ(ranked.front().form.effect, Effect::kFeedForceOffset);
 }
 
+// The trials of what was lifted come on top of the best three.
+TEST_F(Duel, LetsTheSecondBestInBesideThoseThatWereLifted) {
+  std::vector<Candidate> ranked{promising(Effect::kFeedAsymmetricFriction, 900.0, true),
+                                promising(Effect::kFeedScrewPeriodic, 900.0, true),
+                                promising(Effect::kFeedForceSaturation, 900.0, false),
+                                promising(Effect::kFeedForceOffset, 800.0, false)};
+  host::duel(fit_, {kLeast, false}, ranked);
+  EXPECT_EQ(ranked.front().form.effect, Effect::kFeedForceOffset);
+}
+
 // What it is worth beyond its promise says nothing of theirs: it has none of its own.
 TEST_F(Duel, JudgesNoneByAPromiseThatWasLifted) {
   std::vector<Candidate> ranked{promising(Effect::kFeedForceOffset, 100.0, true),
