@@ -35,11 +35,15 @@ bool contains_force(const gap::EffectForm& form) {
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
-/// Comes first, and is promised at least as much as the best so far: it gets its trial.
+/// Comes first, and is promised at least `most`, as the best so far: it gets its trial.
 void prefer(Candidate preferred, double most, std::vector<Candidate>& ranked) {
-  std::erase_if(ranked, [&](const Candidate& c) { return c.form.effect == preferred.form.effect; });
-  preferred.is_lifted = preferred.evidence < most;
+  const auto is_same = [&](const Candidate& c) { return c.form.effect == preferred.form.effect; };
+  const bool is_best = std::any_of(ranked.begin(), ranked.end(), [&](const Candidate& c) {
+    return is_same(c) && !c.is_lifted && c.evidence >= most;
+  });
+  preferred.is_lifted = !is_best && (preferred.is_lifted || preferred.evidence < most);
   preferred.evidence = std::max(preferred.evidence, most);
+  std::erase_if(ranked, is_same);
   ranked.insert(ranked.begin(), std::move(preferred));
 }
 

@@ -17,7 +17,8 @@ using gap::Effect;
 constexpr double kSecondPole = 0.6;
 // One lag of 1.6 L/R with two poles was one and 0.650 and 0.648 ms of either sensor.
 constexpr double kAsLate = 0.1;
-// Where friction has another shape than the catalogue's a Stribeck part of 0.08 .. 0.18 of it is left.
+// Where friction has another shape than the catalogue's a Stribeck part of 0.08 .. 0.18 of it is left, or
+// bristles of 0.004 .. 0.13.
 constexpr double kOtherShape = 0.25;
 // Two Stribeck frictions of tests/blind that lasted longer than the catalogue's left Coulomb friction of 0.31
 // and 0.32.
@@ -69,9 +70,10 @@ bool is_coulomb(Effect effect) {
   return effect == Effect::kFeedCoulombFriction || effect == Effect::kSpindleCoulombFriction;
 }
 
-/// Less of it at rest, or more of it at speed.
+/// Less of it at rest or before it slides, or more of it at speed.
 bool is_its_other_end(const gap::AppliedEffect& part, const gap::AppliedEffect& whole) {
-  const bool is_low_end = gap::is_stribeck(part.form.effect) && is_coulomb(whole.form.effect);
+  const bool is_at_rest = gap::is_stribeck(part.form.effect) || part.form.effect == Effect::kFeedPresliding;
+  const bool is_low_end = is_at_rest && is_coulomb(whole.form.effect);
   const bool is_tail = is_coulomb(part.form.effect) && gap::is_stribeck(whole.form.effect);
   const double most = is_low_end ? kOtherShape : is_tail ? kLongerTail : 0.0;
   return std::fabs(part.coefficient[0]) < most * std::fabs(whole.coefficient[0]);

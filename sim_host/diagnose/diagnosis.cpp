@@ -146,7 +146,9 @@ class Diagnosis {
     std::vector<const AxisFit*> fits;
     for (const AxisOutcome& outcome : outcomes_) fits.push_back(&outcome.diagnosis.fit);
     const auto [jitter, of_law, fit, sensor] = find_shaking(fits);
-    if (jitter && jitter->evidence >= kLeastShare * named_deviance_of(outcomes_)) faults_.push_back(*jitter);
+    constexpr double kLeastShareOfJitter = 0.05;
+    if (jitter && jitter->evidence >= kLeastShareOfJitter * named_deviance_of(outcomes_))
+      faults_.push_back(*jitter);
     if (of_law > 0.0) outcomes_[fit].keep_without_name(of_law, sensor == 0 ? 1.0 : 0.0);
   }
 

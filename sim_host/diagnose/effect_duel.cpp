@@ -17,7 +17,7 @@ namespace {
 // Rivals with this share of the best evidence are put into the model, one after the other, before one is
 // chosen.
 constexpr double kNearlyAsGood = 0.6;
-constexpr std::size_t kMostTrials = 6;  // where those before them turn out to be worth nothing
+constexpr std::size_t kMostTrials = 6;  // in all, where those before them turn out to be worth nothing
 
 /// A size that no machine has: what a fit makes of another effect's shape. Beside a friction that the machine
 /// file states, what is missing may have either sign.
@@ -71,13 +71,11 @@ class Duel {
     return try_effect(fit_, rival, without_, terms_.is_astray);
   }
 
-  /// Those that get a trial whatever the others turn out to be worth, side by side: the best, and all that
-  /// were lifted to be as good.
+  /// Those that get a trial whatever the others turn out to be worth, side by side.
   void try_sure_ones(const std::vector<Candidate>& ranked) {
-    const double most = ranked.front().evidence;
-    const double enough = std::max(kNearlyAsGood * most, terms_.least_evidence);
+    const double enough = std::max(kNearlyAsGood * ranked.front().evidence, terms_.least_evidence);
     std::size_t count = 0;
-    while (count < ranked.size() && ranked[count].evidence >= (count < kMostRivals ? enough : most)) ++count;
+    while (count < std::min(kMostRivals, ranked.size()) && ranked[count].evidence >= enough) ++count;
     std::vector<std::optional<EffectTrial>> trials(count);
     in_parallel(count, [&](std::size_t i) { trials[i] = tried(ranked[i]); });
     for (auto& trial : trials) trials_.push_back(std::move(*trial));
@@ -91,7 +89,7 @@ class Duel {
     const GapModel& model = trial.fit.model();
     const gap::AppliedEffect& newest = model.effects.back();
     const bool is_possible = !is_impossible(newest, model) && !is_absurd(newest, trial.fit);
-    if (is_possible) promised_most_ = std::max(promised_most_, rival.promised);
+    if (is_possible && !rival.is_lifted) promised_most_ = std::max(promised_most_, rival.promised);
     if (!is_possible || !std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
     if (!(rival.evidence > best_)) return;
     best_ = rival.evidence;
@@ -161,8 +159,8 @@ class Duel {
   const DuelTerms& terms_;
   AxisFit::Rival without_;
   std::vector<EffectTrial> trials_;
-  std::size_t kept_trials_ = 0;  ///< those that came to something, but for what was lifted
-  double promised_most_ = 0.0;   ///< to one that is possible
+  std::size_t kept_trials_ = 0;  ///< those that came to something, without what was lifted
+  double promised_most_ = 0.0;   ///< to one that is possible, by itself
   double best_ = 0.0;
   double kept_ = 1.0;  ///< of what the linearisation promised to the best; of a lifted one at most all
   Family family_ = Family::kNone;

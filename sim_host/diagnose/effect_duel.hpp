@@ -16,7 +16,7 @@ struct DuelTerms {
 
 /// Puts the best of `ranked` (not empty, most evidence first) into the model of `fit`, each for itself, with
 /// everything refitted: the evidence of a linearisation does not tell a delay from a lag. Returns the fit of
-/// the best, which is then in front, with what all of them are worth; `fit` where none got a trial.
+/// the best, which is then in front, with what all of them are worth; `fit` where no trial came to anything.
 AxisFit duel(const AxisFit& fit, const DuelTerms& terms, std::vector<Candidate>& ranked);
 
 /// Deviance that an effect gains by chance: its coefficients', one for the shape that was looked for, and one

@@ -63,9 +63,9 @@ constexpr bool is_fast(gap::Effect effect) {
 /// Share of the evidence of an effect that another one of the same axis needs beside it; what the shape of
 /// the first one leaves has less.
 constexpr double least_share(gap::Effect effect, gap::Effect beside, double of_strangers) {
-  constexpr double kOfFamily = 0.08;
-  constexpr double kOfFast = 0.005;  // 14 that were not there had 0.0003 .. 0.0047
-  constexpr double kOfCut = 0.2;     // five that were not there had 0.05 .. 0.17
+  constexpr double kOfFamily = 0.08;  // of strangers a known one needs less
+  constexpr double kOfFast = 0.005;   // 14 that were not there had 0.0003 .. 0.0047
+  constexpr double kOfCut = 0.2;      // five that were not there had 0.05 .. 0.17
   if (is_law_of_cut(effect) && (is_law_of_cut(beside) || passes_with_teeth(beside))) return kOfCut;
   if (!is_fast(effect) && is_fast(beside)) return kOfFast;
   const Family family = family_of(effect);

@@ -94,7 +94,8 @@ bool is_sure(const Finding& finding, const AxisFit& fit) {
 }
 
 /// Does a model with the name run free nine tenths nearer to what is measured, in pieces that it was not
-/// fitted to? Noise that lasts helps an observer, who sees what it does, and not a model that runs free.
+/// fitted to, and is it far beyond the sensors' noise without? Noise that lasts helps an observer, who sees
+/// what it does, and not a model that runs free.
 bool runs_free_with(const AxisDiagnosis& diagnosis, std::size_t index) {
   constexpr double kNearer = 0.9;
   constexpr double kVisible = 1.5;

@@ -38,15 +38,23 @@ PlantDerivative<double> rate_between(const PlantState<double>& a, const PlantSta
           (b.current_a - a.current_a) / step_s};
 }
 
-/// Is it where no machine is? Far beyond what any profile asks for, and long before anything is too large for
-/// the floats of a recording.
-bool is_away(const PlantState<double>& state, const gap::ReferencePoint& point) {
+/// Where no machine is: far beyond what any profile asks for, and long before anything is too large for the
+/// floats of a recording.
+PlantState<double> far_from(const gap::ReferencePoint& point, const MachineParameters& machine) {
   constexpr double kFar = 1000.0;
-  constexpr double kSlowestFeedMS = 1.0e-3;  // of one that hardly moves this is far, too
-  const double feed_speed_m_s = std::max(point.feed_speed_m_s, kSlowestFeedMS);
-  return !(std::fabs(state.speed_rad_s) < kFar * point.speed_rad_s &&
-           std::fabs(state.feed_speed_m_s) < kFar * feed_speed_m_s &&
-           std::fabs(state.current_a) < kFar * point.current_a);
+  constexpr double kSlowestFeedMS = 1.0e-3;
+  constexpr double kSmallestVoltageV = 2.4;
+  PlantState<double> far;
+  far.speed_rad_s = kFar * point.speed_rad_s;
+  far.feed_speed_m_s = kFar * std::max(point.feed_speed_m_s, kSlowestFeedMS);
+  far.current_a = kFar * std::max(point.current_a, kSmallestVoltageV / machine.spindle.resistance_ohm);
+  return far;
+}
+
+bool is_away(const PlantState<double>& state, const PlantState<double>& far) {
+  return !(std::fabs(state.speed_rad_s) < far.speed_rad_s &&
+           std::fabs(state.feed_speed_m_s) < far.feed_speed_m_s &&
+           std::fabs(state.current_a) < far.current_a);
 }
 
 bool is_zero(const PlantDerivative<double>& rate) {
@@ -59,6 +67,7 @@ bool is_zero(const PlantDerivative<double>& rate) {
 SimulatedMachine::SimulatedMachine(const MachineParameters& machine, double period_s,
                                    std::span<const gap::AppliedEffect> effects, double longest_substep_s)
     : point_(reference_point_of(machine)),
+      far_(far_from(point_, machine)),
       sensor_steps_(substeps_for(period_s, longest_substep_s)),
       steps_per_sensor_step_(
           division_for(fastest_rate(effects, {machine, point_}), period_s / sensor_steps_)),
@@ -77,17 +86,16 @@ void SimulatedMachine::step(const PlantInput<double>& input) {
     square_a2 += state_.current_a * state_.current_a;
     if (!sensor_effects_.is_empty()) sensor_effects_.step(signals_at(state_, 0.0, input));
   }
-  if (is_away(state_, point_)) refuse_to_run_away();
+  if (is_away(state_, far_)) refuse_to_run_away();
   temperatures_.step(square_a2 / sensor_steps_, input.contact);
 }
 
 void SimulatedMachine::refuse_to_run_away() const {
   const bool has_effects = !state_effects_.is_empty() || !sensor_effects_.is_empty();
-  const char* const cause = has_effects ? "an effect" : "a parameter or a random force";
-  throw UserError(fmt::format(
-      "the simulated machine runs away {:.4g} s after its start: {} is not what a machine can have; make it "
-      "smaller",
-      steps_done_ * substep_s_, cause));
+  const char* const advice = has_effects ? "an effect is larger than a machine can have it; make it smaller"
+                                         : "check the machine file's values and the process noise";
+  throw UserError(fmt::format("the simulated machine runs away {:.4g} s after its start: {}",
+                              steps_done_ * substep_s_, advice));
 }
 
 void SimulatedMachine::substep(const PlantInput<double>& input) {

@@ -47,6 +47,7 @@ class SimulatedMachine {
                                                       const PlantInput<double>& input) const;
 
   gap::ReferencePoint point_;
+  PlantState<double> far_;
   int sensor_steps_;  ///< per period
   int steps_per_sensor_step_;
   double substep_s_;

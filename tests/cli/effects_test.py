@@ -105,8 +105,11 @@ class SimulatedEffects(ProgramTest):
                       self.must_refuse(1, *SHORT, "--effect", "feed_coulomb_friction=1e7", "--out", "a.csv"))
         for option in ("torque_constant_saturation=5e-4", "feed_asymmetric_friction=20"):  # drives one way
             with self.subTest(option):
-                self.assertIn("runs away", self.must_refuse(1, *SHORT, "--effect", option, "--out", "a.csv"))
-        self.assertEqual(self.files(), [])
+                self.assertIn("an effect is larger", self.must_refuse(1, *SHORT, "--effect", option, "--out", "a.csv"))
+        self.write("light.toml", GOOD.replace("inertia_kgm2 = 1.2e-4", "inertia_kgm2 = 1e-10"))
+        self.assertIn("check the machine file's values",
+                      self.must_refuse(1, *SHORT, "--machine", "light.toml", "--process-noise", 10, "--out", "a.csv"))
+        self.assertEqual(self.files(), ["light.toml"])
 
 
 class EffectsInMachineFiles(ProgramTest):

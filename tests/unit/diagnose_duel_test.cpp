@@ -50,6 +50,7 @@ TEST_F(Duel, LetsTheBestInBesideAllThatWereLifted) {
   ASSERT_EQ(winner.model().effects.size(), 1U);
   EXPECT_EQ(winner.model().effects.front().form.effect, Effect::kFeedForceOffset);
   EXPECT_EQ(ranked.front().form.effect, Effect::kFeedForceOffset);
+  for (const Candidate& one : ranked) EXPECT_GT(one.evidence, kLeast) << "takes the place of a trial";
 }
 
 // The trials of what was lifted come on top of the best three.
@@ -64,12 +65,13 @@ TEST_F(Duel, LetsTheSecondBestInBesideThoseThatWereLifted) {
 
 // What it is worth beyond its promise says nothing of theirs: it has none of its own.
 TEST_F(Duel, JudgesNoneByAPromiseThatWasLifted) {
+  constexpr double kTooLittle = 0.8 * kLeast;  // for a trial
   std::vector<Candidate> ranked{promising(Effect::kFeedForceOffset, 100.0, true),
-                                promising(Effect::kFeedScrewPeriodic, 50.0, false)};
+                                promising(Effect::kFeedScrewPeriodic, kTooLittle, false)};
   host::duel(fit_, {kLeast, false}, ranked);
   ASSERT_EQ(ranked.front().form.effect, Effect::kFeedForceOffset);
   EXPECT_GT(ranked.front().evidence, 200.0);
-  EXPECT_DOUBLE_EQ(ranked.back().evidence, 50.0);
+  EXPECT_DOUBLE_EQ(ranked.back().evidence, kTooLittle);
 }
 
 }  // namespace

@@ -97,6 +97,8 @@ TEST(Causes, ALagOfBothSensorsIsAPoleOfTheDrive) {
 TEST(Causes, ALittleFrictionAtRestIsTheShapeOfFriction) {
   EXPECT_EQ(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, -0.6), 0U);
   EXPECT_FALSE(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, 2.0));
+  EXPECT_EQ(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedPresliding, 0.2), 0U);
+  EXPECT_FALSE(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedPresliding, 2.0));
   EXPECT_FALSE(shaped_by_second(Effect::kFeedAsymmetricFriction, 5.0, Effect::kFeedForceOffset, 0.3));
 }
 
@@ -133,14 +135,14 @@ TEST(Causes, WhatGivesAShapeIsNone) {
 }
 
 TEST(Causes, NeedMoreBesideOneWhoseShapeTheyMayBe) {
-  constexpr double kOfStrangers = 0.05;
-  const auto share = [](Effect effect, Effect beside) { return least_share(effect, beside, kOfStrangers); };
-  EXPECT_EQ(share(Effect::kSpindleWindage, Effect::kCurrentBias), kOfStrangers);
-  EXPECT_GT(share(Effect::kDriveLag, Effect::kCurrentDelay), kOfStrangers);
+  const auto share = [](Effect effect, Effect beside) { return least_share(effect, beside, kLeastShare); };
+  EXPECT_EQ(share(Effect::kSpindleWindage, Effect::kCurrentBias), kLeastShare);
+  EXPECT_GE(share(Effect::kDriveLag, Effect::kCurrentDelay), kLeastShare);
+  EXPECT_GT(least_share(Effect::kDriveLag, Effect::kCurrentDelay, 0.02), 0.02) << "beside a known one";
   EXPECT_GT(share(Effect::kContactSpeedDependence, Effect::kContactTemperatureDependence), 0.17);
   EXPECT_GT(share(Effect::kContactSpeedDependence, Effect::kToothPassingTorque), 0.17);
-  EXPECT_EQ(share(Effect::kToothPassingTorque, Effect::kContactSpeedDependence), kOfStrangers);
-  EXPECT_EQ(share(Effect::kContactSpeedDependence, Effect::kSpindleWindage), kOfStrangers);
+  EXPECT_EQ(share(Effect::kToothPassingTorque, Effect::kContactSpeedDependence), kLeastShare);
+  EXPECT_EQ(share(Effect::kContactSpeedDependence, Effect::kSpindleWindage), kLeastShare);
 }
 
 TEST(Causes, LagsOneAfterTheOtherAddUp) {

@@ -69,11 +69,13 @@ TEST(GapWatchEvaluation, SeesANewEffectBesideOneThatItWasToldOf) {
   EXPECT_EQ(beside(0.35, 0.3, true), GapVerdict::kUnexplained);
   EXPECT_EQ(beside(0.35, 0.3, false), GapVerdict::kEffect) << "told of both";
   EXPECT_EQ(beside(0.3, 0.35, true), GapVerdict::kUnexplained);
+  EXPECT_EQ(beside(0.2, 0.08, true), GapVerdict::kUnexplained) << "a quarter of the gap together only";
 }
 
 // Two that leave next to nothing are two effects, whatever was told.
 TEST(GapWatchEvaluation, BelievesInSeveralThatExplainFourFifths) {
-  EXPECT_EQ(verdict_on({.first = 0.45, .second = 0.4}, false, false), GapVerdict::kEffect);
+  for (const bool is_told : {false, true})
+    EXPECT_EQ(verdict_on({.first = 0.45, .second = 0.4}, false, is_told), GapVerdict::kEffect) << is_told;
   EXPECT_EQ(verdict_on({.first = 0.45, .second = 0.3}, false, false), GapVerdict::kUnexplained);
 }
 
