@@ -3,13 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 namespace morepro::gap {
 namespace {
 
-// One parameter and two forms.
-using Evaluation = GapWatchEvaluation<float, 1, 2, 3>;
+// One parameter and four forms.
+using Evaluation = GapWatchEvaluation<float, 1, 4, 5>;
+constexpr std::array kForms{Effect::kSupplyVoltageOffset, Effect::kArmatureReaction, Effect::kCurrentBias,
+                            Effect::kBrushVoltageDrop};
+constexpr std::array kHarmonics{3, 5, 7, 11};
+
+/// How much each form explains of a gap of 100 times the noise; the rest nothing does.
+using Shares = std::array<double, kForms.size()>;
 
 /// Waves that have nothing in common over whole turns.
 float wave(int harmonic, int row) {
@@ -17,31 +26,29 @@ float wave(int harmonic, int row) {
   return static_cast<float>(std::sqrt(2.0) * std::sin(kTurn * harmonic * row / 1000.0));
 }
 
-/// Of a gap of 100 times the noise: how much a first and a second form explain; the rest nothing does.
-struct Shares {
-  double first;
-  double second;
-};
-
-/// 3000 rows in which every form explains its share.
 Evaluation::Statistics rows_of(const Shares& shares) {
   constexpr double kGap = 100.0;
   const auto size = [](double share) { return static_cast<float>(std::sqrt(kGap * share)); };
+  const double rest = 1.0 - std::accumulate(shares.begin(), shares.end(), 0.0);
   Evaluation::Statistics statistics;
   for (int row = 0; row < 3000; ++row) {
-    const float noise = wave(211, row);
-    const float rest = size(1.0 - shares.first - shares.second) * wave(97, row);
-    const float y = size(shares.first) * wave(3, row) + size(shares.second) * wave(5, row) + rest + noise;
-    statistics.add({wave(2, row), wave(3, row), wave(5, row), y});
+    Evaluation::Statistics::Row columns{wave(2, row)};
+    float& y = columns[Evaluation::Statistics::kY];
+    y = wave(211, row) + size(rest) * wave(97, row);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      columns[1 + i] = wave(kHarmonics[i], row);
+      y += size(shares[i]) * columns[1 + i];
+    }
+    statistics.add(columns);
   }
   return statistics;
 }
 
-GapVerdict verdict_on(const Shares& shares, bool is_first_told, bool is_second_told) {
+/// The last `told` forms are those that a host has told of.
+GapVerdict verdict_on(const Shares& shares, std::size_t told) {
   Evaluation evaluation({1.0F}, GapLimits{});
-  evaluation.add({.effect = Effect::kSupplyVoltageOffset, .kind = 0, .parts = 1, .shape = 0.0F},
-                 is_first_told);
-  evaluation.add({.effect = Effect::kArmatureReaction, .kind = 0, .parts = 1, .shape = 0.0F}, is_second_told);
+  for (std::size_t i = 0; i < kForms.size(); ++i)
+    evaluation.add({.effect = kForms[i], .kind = 0, .parts = 1, .shape = 0.0F}, i + told >= kForms.size());
   const Evaluation::Statistics statistics = rows_of(shares);
   evaluation.begin();
   while (!evaluation.advance(statistics)) {
@@ -50,33 +57,30 @@ GapVerdict verdict_on(const Shares& shares, bool is_first_told, bool is_second_t
 }
 
 TEST(GapWatchEvaluation, BelievesInAHalfOfTheGap) {
-  EXPECT_EQ(verdict_on({.first = 0.55, .second = 0.0}, false, false), GapVerdict::kEffect);
-  EXPECT_EQ(verdict_on({.first = 0.45, .second = 0.0}, false, false), GapVerdict::kUnexplained);
+  EXPECT_EQ(verdict_on({0.55}, 0), GapVerdict::kEffect);
+  EXPECT_EQ(verdict_on({0.45}, 0), GapVerdict::kUnexplained);
 }
 
 TEST(GapWatchEvaluation, BelievesInAQuarterByWhatItWasToldOf) {
-  EXPECT_EQ(verdict_on({.first = 0.3, .second = 0.0}, true, true), GapVerdict::kEffect);
-  EXPECT_EQ(verdict_on({.first = 0.2, .second = 0.0}, true, true), GapVerdict::kUnexplained);
+  EXPECT_EQ(verdict_on({0.0, 0.0, 0.0, 0.3}, 1), GapVerdict::kEffect);
+  EXPECT_EQ(verdict_on({0.0, 0.0, 0.0, 0.2}, 1), GapVerdict::kUnexplained);
 }
 
 // A bend that passes for another effect is small.
 TEST(GapWatchEvaluation, SeesANewEffectBesideOneThatItWasToldOf) {
-  // Forms that were told come last.
-  const auto beside = [](double old, double added, bool is_new) {
-    return verdict_on({.first = added, .second = old}, !is_new, true);
-  };
-  EXPECT_EQ(beside(0.35, 0.1, true), GapVerdict::kEffect);
-  EXPECT_EQ(beside(0.35, 0.3, true), GapVerdict::kUnexplained);
-  EXPECT_EQ(beside(0.35, 0.3, false), GapVerdict::kEffect) << "told of both";
-  EXPECT_EQ(beside(0.3, 0.35, true), GapVerdict::kUnexplained);
-  EXPECT_EQ(beside(0.2, 0.08, true), GapVerdict::kUnexplained) << "a quarter of the gap together only";
+  EXPECT_EQ(verdict_on({0.1, 0.0, 0.0, 0.35}, 1), GapVerdict::kEffect);
+  EXPECT_EQ(verdict_on({0.3, 0.0, 0.0, 0.35}, 1), GapVerdict::kUnexplained);
+  EXPECT_EQ(verdict_on({0.0, 0.0, 0.3, 0.35}, 2), GapVerdict::kEffect) << "told of both";
+  EXPECT_EQ(verdict_on({0.35, 0.0, 0.0, 0.3}, 1), GapVerdict::kUnexplained);
+  EXPECT_EQ(verdict_on({0.08, 0.0, 0.0, 0.2}, 1), GapVerdict::kUnexplained) << "a quarter together only";
+  EXPECT_EQ(verdict_on({0.2, 0.15, 0.15, 0.15}, 3), GapVerdict::kUnexplained) << "the largest one is new";
 }
 
 // Two that leave next to nothing are two effects, whatever was told.
 TEST(GapWatchEvaluation, BelievesInSeveralThatExplainFourFifths) {
-  for (const bool is_told : {false, true})
-    EXPECT_EQ(verdict_on({.first = 0.45, .second = 0.4}, false, is_told), GapVerdict::kEffect) << is_told;
-  EXPECT_EQ(verdict_on({.first = 0.45, .second = 0.3}, false, false), GapVerdict::kUnexplained);
+  for (const std::size_t told : {0U, 1U})
+    EXPECT_EQ(verdict_on({0.45, 0.0, 0.0, 0.4}, told), GapVerdict::kEffect) << told;
+  EXPECT_EQ(verdict_on({0.45, 0.3}, 0), GapVerdict::kUnexplained);
 }
 
 }  // namespace
