@@ -138,13 +138,19 @@ class DiagnosisSearch {
     }
   }
 
+  /// What every candidate promises beside another model, and from when on.
+  std::vector<Candidate> ranked_beside(const AxisFit& fit) const {
+    const GapStatistics statistics = fit.collect_with_each(diagnosis_.others);
+    auto ranked = rank_candidates(fit, statistics, diagnosis_.others);
+    let_set_in(fit, statistics, ranked);
+    return ranked;
+  }
+
   /// What explains most beside the datasheet's parameters comes first; bent ones hide it.
   void prefer_by_datasheet(std::vector<Candidate>& ranked) const {
     AxisFit fit = at_datasheet(fit_);
     if (is_bent(fit_)) fit.match_noise();  // which may take what is hidden from the other model, too
-    const GapStatistics statistics = fit.collect_with_each(diagnosis_.others);
-    auto others = rank_candidates(fit, statistics, diagnosis_.others);
-    let_set_in(fit, statistics, others);
+    auto others = ranked_beside(fit);
     others.resize(std::min(others.size(), kMostRivals - 1));
     const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
     for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred)
@@ -171,9 +177,7 @@ class DiagnosisSearch {
     if (ranked.empty() || leaves_noise(fit_)) return;
     AxisFit plain = fit_;
     plain.set_whitening(without_memory(fit_.whitening()));
-    const GapStatistics statistics = plain.collect_with_each(diagnosis_.others);
-    auto seen = rank_candidates(plain, statistics, diagnosis_.others);
-    let_set_in(plain, statistics, seen);
+    auto seen = ranked_beside(plain);
     if (seen.empty() || !is_periodic(seen.front().form.effect)) return;
     seen.front().evidence = diagnosis_.least_evidence;  // that of whitened rows is another one
     prefer(std::move(seen.front()), ranked.front().evidence, ranked);
