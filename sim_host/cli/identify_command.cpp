@@ -9,7 +9,7 @@
 
 #include "lib/plant/contact_law.hpp"
 #include "sim_host/cli/command.hpp"
-#include "sim_host/diagnose/recording_loader.hpp"
+#include "sim_host/diagnose/signals/recording_loader.hpp"
 #include "sim_host/identify/identification.hpp"
 #include "sim_host/machine/machine_file_writer.hpp"
 #include "sim_host/replay/replay_session.hpp"

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 #include "sim_host/identify/axis_traits.hpp"
 #include "sim_host/identify/machine_value.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 #include "sim_host/identify/axis_traits.hpp"
 
 namespace morepro::host {

@@ -1,7 +1,7 @@
 #pragma once
 #include "lib/identification/derivative_rows.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 #include "sim_host/identify/axis_identification.hpp"
 #include "sim_host/identify/derivative_balance.hpp"
 

@@ -4,7 +4,7 @@
 #include "lib/gap/gap_frame.hpp"
 #include "lib/identification/derivative_rows.hpp"
 #include "lib/plant/contact_law.hpp"
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 
 namespace morepro::host {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim_host/diagnose/diagnosis_result.hpp"
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/result/diagnosis_result.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 #include "sim_host/machine/machine_description.hpp"
 
 namespace morepro::host {

@@ -1,4 +1,4 @@
-#include "sim_host/diagnose/json_parts.hpp"
+#include "sim_host/diagnose/result/json_parts.hpp"
 #include "sim_host/identify/identification.hpp"
 
 namespace morepro::host {

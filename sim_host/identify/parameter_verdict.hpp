@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "sim_host/diagnose/diagnosis_result.hpp"
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/result/diagnosis_result.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 #include "sim_host/identify/axis_identification.hpp"
 #include "sim_host/identify/identification.hpp"
 #include "sim_host/machine/machine_description.hpp"

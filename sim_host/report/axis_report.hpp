@@ -2,8 +2,8 @@
 #include <span>
 #include <string>
 
-#include "sim_host/diagnose/gap_model.hpp"
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/fit/gap_model.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 #include "sim_host/report/report_page.hpp"
 
 namespace morepro::host {

@@ -2,7 +2,7 @@
 
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/spindle_observer.hpp"
-#include "sim_host/diagnose/noise_fit.hpp"
+#include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/simulate/operating_point.hpp"
 
 namespace morepro::host {

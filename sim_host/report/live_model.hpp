@@ -2,7 +2,7 @@
 #include <functional>
 #include <memory>
 
-#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/fit/innovation_pass.hpp"
 #include "sim_host/machine/machine_description.hpp"
 
 namespace morepro::host {

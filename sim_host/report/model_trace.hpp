@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/fit/innovation_pass.hpp"
 #include "sim_host/report/innovation_statistics.hpp"
 #include "sim_host/report/report_page.hpp"
 

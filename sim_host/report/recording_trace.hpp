@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 #include "sim_host/machine/machine_description.hpp"
 #include "sim_host/report/phase.hpp"
 #include "sim_host/report/report_page.hpp"

@@ -2,8 +2,8 @@
 
 #include <bit>
 
-#include "sim_host/diagnose/noise_fit.hpp"
-#include "sim_host/diagnose/reference_scales.hpp"
+#include "sim_host/diagnose/fit/noise_fit.hpp"
+#include "sim_host/diagnose/signals/reference_scales.hpp"
 #include "sim_host/report/axis_report.hpp"
 #include "sim_host/report/recording_trace.hpp"
 

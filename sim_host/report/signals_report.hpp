@@ -1,5 +1,5 @@
 #pragma once
-#include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/search/axis_diagnosis.hpp"
 #include "sim_host/identify/identification.hpp"
 #include "sim_host/machine/machine_description.hpp"
 #include "sim_host/report/report_page.hpp"

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "lib/gap/effect_catalogue.hpp"
-#include "sim_host/diagnose/axis_diagnosis.hpp"
-#include "sim_host/diagnose/noise_fit.hpp"
-#include "sim_host/diagnose/nominal_fit.hpp"
-#include "sim_host/diagnose/recording_loader.hpp"
-#include "sim_host/diagnose/reference_scales.hpp"
+#include "sim_host/diagnose/fit/noise_fit.hpp"
+#include "sim_host/diagnose/fit/nominal_fit.hpp"
+#include "sim_host/diagnose/search/axis_diagnosis.hpp"
+#include "sim_host/diagnose/signals/recording_loader.hpp"
+#include "sim_host/diagnose/signals/reference_scales.hpp"
 #include "sim_host/machine/machine_description.hpp"
 #include "sim_host/recording/recording_reader.hpp"
 

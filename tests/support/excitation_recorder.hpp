@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 #include "tests/support/spindle_simulation.hpp"
 
 namespace morepro::test {

@@ -1,8 +1,8 @@
 // A model and what it leaves of a recording.
 #include <gtest/gtest.h>
 
-#include "sim_host/diagnose/axis_fit.hpp"
-#include "sim_host/diagnose/parameter_report.hpp"
+#include "sim_host/diagnose/fit/axis_fit.hpp"
+#include "sim_host/diagnose/outcome/parameter_report.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {

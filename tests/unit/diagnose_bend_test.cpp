@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim_host/diagnose/newest_effect.hpp"
+#include "sim_host/diagnose/search/newest_effect.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {

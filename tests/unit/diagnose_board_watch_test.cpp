@@ -1,8 +1,8 @@
 // What a board is told by the host that has seen the same recording.
 #include <gtest/gtest.h>
 
-#include "sim_host/diagnose/board_settings.hpp"
-#include "sim_host/diagnose/board_watch.hpp"
+#include "sim_host/diagnose/board/board_settings.hpp"
+#include "sim_host/diagnose/board/board_watch.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "sim_host/diagnose/bristle_lead.hpp"
-#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/fit/bristle_lead.hpp"
+#include "sim_host/diagnose/fit/innovation_pass.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim_host/diagnose/axis_diagnosis.hpp"
+#include "sim_host/diagnose/search/axis_diagnosis.hpp"
 #include "tests/unit/driven_axis.hpp"
 
 namespace morepro::diagnose_test {

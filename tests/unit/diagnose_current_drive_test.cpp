@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "sim_host/diagnose/current_drive.hpp"
-#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/fit/innovation_pass.hpp"
+#include "sim_host/diagnose/signals/current_drive.hpp"
 
 namespace morepro::host {
 namespace {

@@ -1,8 +1,8 @@
 // Which of the candidates for a cause get a trial, and what is said of those that get none.
 #include <gtest/gtest.h>
 
-#include "sim_host/diagnose/candidate_forms.hpp"
-#include "sim_host/diagnose/effect_duel.hpp"
+#include "sim_host/diagnose/search/candidate_forms.hpp"
+#include "sim_host/diagnose/search/effect_duel.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {

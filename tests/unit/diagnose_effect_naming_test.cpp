@@ -8,9 +8,9 @@
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
-#include "sim_host/diagnose/causes.hpp"
-#include "sim_host/diagnose/effect_family.hpp"
-#include "sim_host/diagnose/effect_naming.hpp"
+#include "sim_host/diagnose/outcome/causes.hpp"
+#include "sim_host/diagnose/outcome/effect_naming.hpp"
+#include "sim_host/diagnose/search/effect_family.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {

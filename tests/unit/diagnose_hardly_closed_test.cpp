@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim_host/diagnose/share_closed.hpp"
+#include "sim_host/diagnose/balances/share_closed.hpp"
 
 namespace morepro::host {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim_host/diagnose/linear_fit.hpp"
+#include "sim_host/diagnose/fit/linear_fit.hpp"
 
 namespace morepro::host {
 namespace {

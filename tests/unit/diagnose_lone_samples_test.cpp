@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim_host/diagnose/lone_samples.hpp"
+#include "sim_host/diagnose/signals/lone_samples.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {

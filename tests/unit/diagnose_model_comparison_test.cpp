@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "sim_host/diagnose/axis_fit.hpp"
-#include "sim_host/diagnose/model_comparison.hpp"
+#include "sim_host/diagnose/balances/model_comparison.hpp"
+#include "sim_host/diagnose/fit/axis_fit.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim_host/diagnose/axis_outcome.hpp"
+#include "sim_host/diagnose/outcome/axis_outcome.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "sim_host/diagnose/noise_floor.hpp"
+#include "sim_host/diagnose/balances/noise_floor.hpp"
 
 namespace morepro::host {
 namespace {

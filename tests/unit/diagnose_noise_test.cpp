@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include "sim_host/diagnose/spectral_lines.hpp"
-#include "sim_host/diagnose/white_innovations.hpp"
+#include "sim_host/diagnose/fit/white_innovations.hpp"
+#include "sim_host/diagnose/leftover/spectral_lines.hpp"
 
 namespace morepro::host {
 namespace {
@@ -133,8 +133,8 @@ TEST(Whitening, IsNotEstimatedFromAFewSamples) {
   EXPECT_EQ(whitening_of(statistics)[0].left, 1.0);
 }
 
-// A hundred samples in the air, twenty times as large as those in contact: a model that is wrong there may not
-// pass for one that is right.
+// A hundred samples in the air, twenty times as large as those in contact: a model that is wrong there may
+// not pass for one that is right.
 TEST(Whitening, CountsASeldomStateAlong) {
   GapStatistics statistics;
   const auto drawn = white(13, 10000);

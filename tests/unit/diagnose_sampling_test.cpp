@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim_host/diagnose/sampling_checks.hpp"
+#include "sim_host/diagnose/signals/sampling_checks.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/fit/innovation_pass.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {

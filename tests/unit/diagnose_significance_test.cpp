@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim_host/diagnose/significance.hpp"
+#include "sim_host/diagnose/balances/significance.hpp"
 
 namespace morepro::host {
 namespace {

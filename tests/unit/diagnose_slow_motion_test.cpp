@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim_host/diagnose/slow_motion.hpp"
+#include "sim_host/diagnose/signals/slow_motion.hpp"
 
 namespace morepro::host {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/fit/innovation_pass.hpp"
 #include "sim_host/simulate/simulated_machine.hpp"
 #include "tests/unit/diagnose_support.hpp"
 

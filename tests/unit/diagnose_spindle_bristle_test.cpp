@@ -7,7 +7,7 @@
 #include "lib/gap/dry_friction.hpp"
 #include "lib/gap/effect_term.hpp"
 #include "lib/gap/reference_point.hpp"
-#include "sim_host/diagnose/fitted_machine.hpp"
+#include "sim_host/diagnose/board/fitted_machine.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "sim_host/diagnose/standstill.hpp"
+#include "sim_host/diagnose/fit/standstill.hpp"
 
 namespace morepro::host {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "sim_host/diagnose/axis_fit.hpp"
-#include "sim_host/diagnose/gap_statistics.hpp"
+#include "sim_host/diagnose/fit/axis_fit.hpp"
+#include "sim_host/diagnose/fit/gap_statistics.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim_host/diagnose/innovation_pass.hpp"
+#include "sim_host/diagnose/fit/innovation_pass.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {

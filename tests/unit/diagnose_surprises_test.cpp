@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim_host/diagnose/surprises.hpp"
+#include "sim_host/diagnose/fit/surprises.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {

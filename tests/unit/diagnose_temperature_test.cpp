@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "sim_host/diagnose/recording_signals.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
 
 namespace morepro::host {
 namespace {

@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "lib/gap/effect.hpp"
+#include "sim_host/diagnose/fit/gap_model.hpp"
+#include "sim_host/diagnose/result/diagnosis_result.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
+#include "sim_host/machine/machine_description.hpp"
+
+namespace morepro::host {
+
+/// With fewer nothing is judged.
+inline constexpr std::size_t kFewestRows = 1000;
+/// That these are fewer; empty: they are not.
+std::string too_short(const RecordingSignals& signals);
+
+/// What a balance needs and the machine file or the recording does not have; empty: nothing is missing.
+std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& signals,
+                              const MachineDescription& machine);
+
+/// Can an axis be diagnosed at all? The spindle's voltage alone cannot.
+bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescription& machine);
+
+/// Adds the balances that `where` does not have, each with the reason.
+void add_unevaluated(const RecordingSignals& signals, const MachineDescription& machine,
+                     std::vector<BalanceResult>& where);
+
+/// Which effects cannot be looked for although their balance is evaluated, and why: a sentence each.
+std::vector<std::string> untested_effects(const RecordingSignals& signals, const MachineDescription& machine);
+
+}  // namespace morepro::host

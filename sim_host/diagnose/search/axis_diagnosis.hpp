@@ -1,0 +1,55 @@
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sim_host/diagnose/fit/axis_fit.hpp"
+#include "sim_host/diagnose/search/effect_search.hpp"
+
+namespace morepro::host {
+
+/// Of the evidence of everything that was found: what is worth less may be what shapes leave that are not
+/// quite the machine's. On tests/blind 11 of 12 second names of an axis below 0.05 were not there, nor four
+/// of five between that and 0.08; of eight up to 0.1 three were.
+inline constexpr double kLeastShare = 0.08;
+
+/// An effect that is in the model now, and what else would have done nearly as well in its place.
+struct Finding {
+  gap::AppliedEffect effect;
+  double evidence = 0.0;          ///< how much less likely the recording is without it, as a deviance
+  std::vector<Candidate> rivals;  ///< as they stood when it was chosen, itself first
+  double kept = 1.0;              ///< share of the evidence that is left beside noise that may last
+  bool has_inherited = false;     ///< its rivals, from what it has replaced
+};
+
+/// What was chosen later than `dropped`, beside it, and does its work alone now, has had its rivals: a
+/// bristle that was found beside Coulomb friction may be Coulomb friction. For relatives of one family only.
+void inherit_rivals(const Finding& dropped, Finding& left);
+
+/// What was found out about one axis.
+struct AxisDiagnosis {
+  AxisFit fit;      ///< the model with the effects
+  AxisFit nominal;  ///< the model with refitted parameters only
+  std::vector<Finding> found{};
+  double known_evidence = 0.0;            ///< of the machine file's effects, all together
+  double least_evidence = 0.0;            ///< that an effect needed to be looked at
+  std::vector<gap::EffectForm> others{};  ///< candidates beside the findings,
+  GapStatistics rest{};                   ///< and the moments of what is left with them
+
+  /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out
+  /// to grow with the speed is still there, if less of it.
+  [[nodiscard]] double needed(const Finding& finding, double usual) const;
+  /// Deviance that all names together take.
+  [[nodiscard]] double named_deviance() const;
+  /// What two diagnoses of one recording are compared by: unlikeliness, and what the effects' freedom gains
+  /// by chance. Smaller is better.
+  [[nodiscard]] double cost() const;
+};
+
+/// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.
+/// `start`: a fit of the nominal model to begin with; `nominal`: the best one that is known.
+AxisDiagnosis search_effects(
+    const AxisFit& start, const AxisFit& nominal, std::span<const gap::Effect> excluded,
+    double least_evidence, const std::function<void(double share)>& on_progress = [](double) {});
+
+}  // namespace morepro::host

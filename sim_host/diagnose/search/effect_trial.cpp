@@ -1,0 +1,90 @@
+#include "sim_host/diagnose/search/effect_trial.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "lib/gap/dry_friction.hpp"
+#include "sim_host/diagnose/fit/noise_fit.hpp"
+#include "sim_host/diagnose/search/effect_family.hpp"
+#include "sim_host/diagnose/search/newest_effect.hpp"
+#include "sim_host/support/in_parallel.hpp"
+
+namespace morepro::host {
+namespace {
+
+constexpr double kBent = 0.6;     // relative deviation of a parameter that no datasheet has
+constexpr float kNoWider = 1.0F;  // share of the shape that a linearisation shows
+
+// Of the evidence that a linearisation promises for all of a recording: what a part of a quarter of it shows
+// at least where a trial has come to its end.
+constexpr double kKept = 0.1;
+
+/// The effect as a fit begins with it: of no size, so that parameters and size move together. A lag or a
+/// delay has no such beginning; it starts with the size that was found.
+gap::AppliedEffect beginning_of(const Candidate& candidate) {
+  gap::AppliedEffect effect{.form = candidate.form, .coefficient = {}, .onset_s = candidate.onset_s};
+  if (gap::size_is_shape(effect.form.effect) && effect.form.parts == 1) effect.coefficient[0] = 1.0;
+  return effect;
+}
+
+/// Where a noisy speed changes its sign all the time, the width in which friction does so looks too wide.
+constexpr bool has_blurred_shape(const gap::EffectForm& form) {
+  return gap::is_dry_friction(form) && !gap::is_stribeck(form.effect);
+}
+
+/// The model with one effect more, fitted to a part of the recording.
+AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const AxisFit::Rival& without,
+                       bool is_astray) {
+  std::vector<AxisFit> trials{fit};
+  if (is_astray) trials.push_back(at_datasheet(fit));
+  in_parallel(trials.size(), [&](std::size_t i) {
+    trials[i].change_model().effects.push_back(beginning_of(candidate));
+    trials[i].settle_roughly(kDuelRounds, without);
+  });
+  AxisFit best =
+      trials.back().unlikeliness() < trials.front().unlikeliness() ? trials.back() : trials.front();
+  if (without.in_part - best.unlikeliness() > kKept * candidate.evidence) return best;
+  AxisFit trusting = at_datasheet(fit);
+  trusting.change_model().effects.push_back(beginning_of(candidate));
+  expect_process_noise(kTrustingNoiseShare, trusting.change_model().noise);
+  trusting.settle_roughly(kDuelRounds, without);
+  return trusting.unlikeliness() < best.unlikeliness() ? trusting : best;
+}
+
+}  // namespace
+
+EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::Rival without,
+                       bool is_astray) {
+  if (keeps_its_side(candidate.form.effect)) without.in_part = AxisFit::kNone;
+  EffectTrial trial{refined(fit, candidate), fit};
+  trial.fit = roughly_fitted(fit, trial.candidate, without, is_astray);
+  trial.fit.finish(without);
+  weigh_order_of_lags(trial.fit);
+  if (has_blurred_shape(candidate.form)) sharpen_newest(trial.fit, kNoWider);
+  if (candidate.form.effect == gap::Effect::kSpindleCoulombFriction) weigh_bristle(trial.fit);
+  if (candidate.form.effect == gap::Effect::kFeedPresliding) tune_bristle(trial.fit);
+  if (candidate.form.effect == gap::Effect::kFeedBacklash) tune_play(trial.fit);
+  // A bend would do the work of a wrong onset.
+  if (candidate.onset_s > 0.0) place_onset_of_newest(trial.fit);
+  if (candidate.form.effect == gap::Effect::kShaftCompliance) tune_newest(trial.fit);
+  weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
+  trial.candidate.form = trial.fit.model().effects.back().form;
+  return trial;
+}
+
+bool is_bent(const AxisFit& fit) {
+  const Eigen::VectorXd deviation = fit.deviation().cwiseAbs();
+  const Eigen::VectorXd& error = fit.standard_error();
+  const Eigen::Index relative = fit.axis() == Axis::kSpindle ? deviation.size() : 2;
+  for (Eigen::Index j = 0; j < std::min(relative, error.size()); ++j)
+    if (deviation(j) > kBent && error(j) < kTold) return true;
+  return false;
+}
+
+AxisFit at_datasheet(const AxisFit& fit) {
+  AxisFit anew(fit.axis(), fit.signals(), fit.datasheet());
+  anew.change_model().effects = fit.model().effects;
+  return anew;
+}
+
+}  // namespace morepro::host

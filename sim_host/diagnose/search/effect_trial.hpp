@@ -1,0 +1,29 @@
+#pragma once
+#include "sim_host/diagnose/fit/axis_fit.hpp"
+#include "sim_host/diagnose/search/effect_search.hpp"
+
+namespace morepro::host {
+
+/// What a settled model needs to settle with one effect more or less.
+inline constexpr int kDuelRounds = 2;
+
+/// A candidate in the model, with everything refitted.
+struct EffectTrial {
+  Candidate candidate;
+  AxisFit fit;
+};
+
+/// Puts a candidate into the model of `fit`, searches for its shape and onset and refits everything: first to
+/// a part of the recording, and to all of it unless that has shown it to be hopeless beside `without`, the
+/// model as it is. `is_astray`: that is a bad beginning; then from the datasheet, too.
+EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::Rival without,
+                       bool is_astray);
+
+/// Has the recording driven a parameter farther than a datasheet can be wrong? One that it does not tell may
+/// be anywhere.
+bool is_bent(const AxisFit& fit);
+
+/// The model's effects beside the datasheet's parameters.
+AxisFit at_datasheet(const AxisFit& fit);
+
+}  // namespace morepro::host
