@@ -10,6 +10,7 @@
 
 #include "sim_host/diagnose/search/candidate_forms.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
+#include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
 namespace {
@@ -131,6 +132,14 @@ void take_yield(AxisFit bristle, Yields yields, AxisFit& trial) {
   if (bristle.unlikeliness() < trial.unlikeliness() - kSharper) trial = std::move(bristle);
 }
 
+/// Takes the bend out of its law.
+void straighten_newest(AxisFit& trial) {
+  gap::AppliedEffect& newest = trial.change_model().effects.back();
+  newest.form.parts = 1;
+  newest.coefficient[1] = 0.0;
+  trial.polish();
+}
+
 // Of friction that grows with another power of the speed than the first: its slope as a share of the speed,
 // at the fastest over at rest. What is bent further is another law: a bump in the way had 0.31, powers of 1.1
 // and 1.25 1.1 .. 2.5.
@@ -157,9 +166,13 @@ void sharpen_newest(AxisFit& trial, float widest_share) {
   sharper.narrow_down();
   AxisFit quiet = sharper;
   quiet.expect_little_noise();
-  bool has_changed = search_friction(sharper, seen, widest_share);
-  search_friction(quiet, seen, widest_share);
-  for (AxisFit* fit : {&sharper, &quiet}) fit->settle(kRounds);
+  bool has_changed = false;
+  in_parallel(2, [&](std::size_t i) {
+    AxisFit& fit = i == 0 ? sharper : quiet;
+    const bool is_other = search_friction(fit, seen, widest_share);
+    fit.settle(kRounds);
+    if (i == 0) has_changed = is_other;
+  });
   if (quiet.unlikeliness() < sharper.unlikeliness() - kSharper) {
     sharper = std::move(quiet);
     has_changed = true;
@@ -204,15 +217,14 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
 // From the plain law, too: a bend does the work of a wrong range.
 void sharpen_range_of_newest(AxisFit& trial) {
   constexpr float kAnyRange = 3.0F;  // share of the shape that a linearisation shows
+  const bool is_bent = trial.model().effects.back().form.parts > 1;
   AxisFit plain = trial;
-  sharpen_newest(trial, kAnyRange);
-  gap::AppliedEffect& newest = plain.change_model().effects.back();
-  if (newest.form.parts == 1) return;
-  newest.form.parts = 1;
-  newest.coefficient[1] = 0.0;
-  plain.polish();
-  sharpen_newest(plain, kAnyRange);
-  weigh_bend(plain, plain.model().effects.size() - 1);
+  in_parallel(is_bent ? 2 : 1, [&](std::size_t i) {
+    if (i == 1) straighten_newest(plain);
+    sharpen_newest(i == 0 ? trial : plain, kAnyRange);
+    if (i == 1) weigh_bend(plain, plain.model().effects.size() - 1);
+  });
+  if (!is_bent) return;
   const double price = std::log(static_cast<double>(plain.signals().rows) + 2.0);
   const double saved = plain.model().effects.back().form.parts == 1 ? price : 0.0;
   if (plain.unlikeliness() < trial.unlikeliness() + saved) trial = std::move(plain);
@@ -234,14 +246,20 @@ void weigh_bristle(AxisFit& trial) {
 // where the noise as it is leads first.
 void tune_bristle(AxisFit& trial) {
   static constexpr Yields kAny{1.0e-8F, 1.0e-2F};
-  AxisFit loud = trial;
   const auto reshape = [](gap::AppliedEffect& effect, float factor) { return kAny.reshape(effect, factor); };
-  if (take_likelier(loud, std::array{0.7F, 1.4F, 0.9F, 1.1F}, reshape)) {
+  AxisFit loud = trial;
+  bool has_changed = false;
+  in_parallel(2, [&](std::size_t i) {
+    if (i == 0) return take_yield(trial, kAny, trial);
+    loud.narrow_down();
+    loud.refit();
+    has_changed = take_likelier(loud, std::array{0.7F, 1.4F, 0.9F, 1.1F}, reshape);
+    if (!has_changed) return;
+    loud.widen();
     loud.polish();
     take_yield(loud, kAny, loud);
-  }
-  take_yield(trial, kAny, trial);
-  if (loud.unlikeliness() < trial.unlikeliness()) trial = std::move(loud);
+  });
+  if (has_changed && loud.unlikeliness() < trial.unlikeliness()) trial = std::move(loud);
 }
 
 // The play was taken for process noise, which hides it now: another search begins with little.
