@@ -61,6 +61,18 @@ TEST(SpreadOfValues, IsTheMeanOfWhatIsOpenOfEach) {
 }
 
 /// Whoever looks for the best value holds it while the model is asked how likely it is.
+TEST_F(Innovations, TellHowFarAValueIsOffTheDatasheets) {
+  EXPECT_EQ(fit_.farthest_factor(), 1.0) << "nothing is told yet";
+  for (const double factor : {2.5, 0.4}) {
+    MachineDescription sheet = datasheet(0.0);
+    sheet.configuration.machine.feed.mass_kg /= factor;
+    sheet.configuration.machine.feed.viscous_friction_ns_m /= 4.0;  // which may be anything
+    AxisFit fit(Axis::kFeed, signals_, gap_model(sheet, signals_));
+    fit.refit();
+    EXPECT_NEAR(fit.farthest_factor(), 2.5, 0.05) << "a hundredth up or down is what 1 s tells the mass to";
+  }
+}
+
 TEST_F(Innovations, LikelihoodIsThatOfTheModelAsItStands) {
   double& mass_kg = fit_.change_model().machine.feed.mass_kg;
   const double right = fit_.unlikeliness_as_it_is();

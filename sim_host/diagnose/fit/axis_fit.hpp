@@ -93,6 +93,9 @@ class AxisFit {
 
   /// Relative deviation of each parameter from the datasheet; the contact loads' in N.
   [[nodiscard]] Eigen::VectorXd deviation() const;
+  /// By what factor, at least 1, a value that the recording tells is off the datasheet's, up or down: the
+  /// farthest one. Not of viscous frictions, which may be anything, nor of contact loads.
+  [[nodiscard]] double farthest_factor() const;
   /// Their standard errors, and the share of them that the recording does not tell (1: nothing known).
   [[nodiscard]] const Eigen::VectorXd& standard_error() const { return standard_error_; }
   /// Theirs, and behind them that of the sizes of effects.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/gap/feed_observer.hpp"
 #include "lib/gap/gap_watch_finding.hpp"
+#include "lib/gap/spindle_observer.hpp"
 #include "sim_host/diagnose/fit/axis_fit.hpp"
 #include "sim_host/diagnose/fit/size_columns.hpp"
 
@@ -50,6 +52,22 @@ Eigen::VectorXd AxisFit::deviation() const {
         f.contact_force_n - f0.contact_force_n;
   }
   return d;
+}
+
+double AxisFit::farthest_factor() const {
+  const auto is_any = [this](Eigen::Index j) {
+    const auto column = static_cast<std::size_t>(j);
+    return axis_ == Axis::kSpindle ? column == static_cast<std::size_t>(gap::SpindleColumn::kViscousFriction)
+                                   : column != static_cast<std::size_t>(gap::FeedColumn::kMass);
+  };
+  const Eigen::VectorXd d = deviation();
+  double farthest = 1.0;
+  for (Eigen::Index j = 0; j < std::min(d.size(), standard_error_.size()); ++j) {
+    const double factor = 1.0 + d(j);
+    if (is_any(j) || !(factor > 0.0) || !(standard_error_(j) < kTold * factor)) continue;
+    farthest = std::max({farthest, factor, 1.0 / factor});
+  }
+  return farthest;
 }
 
 Eigen::VectorXd AxisFit::target(Eigen::Index width) const {

@@ -270,6 +270,7 @@ NamingContext AxisOutcome::context_of(const Finding& finding, double unnamed_sha
           .unnamed_share = unnamed_share,
           .causes = causes_of(diagnosis.found),
           .may_be_one = may_be_one_cause(diagnosis.found),
+          .farthest_factor = diagnosis.fit.farthest_factor(),
           .is_strongest = is_strongest(finding)};
 }
 

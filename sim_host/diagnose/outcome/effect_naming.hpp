@@ -29,9 +29,10 @@ struct NamingContext {
   double threshold = 0.0;    ///< evidence that chance does not reach
   /// Of the axis' excess, that no effect explains; above 1 where the effects make it worse.
   double unnamed_share = 0.0;
-  std::size_t causes = 1;    ///< that the axis needs, as causes_of() counts them
-  bool may_be_one = false;   ///< as may_be_one_cause() tells
-  bool is_strongest = true;  ///< no other name of the axis has more evidence
+  std::size_t causes = 1;        ///< that the axis needs, as causes_of() counts them
+  bool may_be_one = false;       ///< as may_be_one_cause() tells
+  double farthest_factor = 1.0;  ///< of a value that is told from the datasheet's, as in AxisFit
+  bool is_strongest = true;      ///< no other name of the axis has more evidence
 };
 
 /// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size,
