@@ -104,8 +104,8 @@ constexpr bool is_stribeck(Effect effect) {
 inline constexpr double kShaftDamping[] = {0.05, 0.025, 0.0125, 0.1, 0.2, 0.035, 0.018, 0.07, 0.14};
 inline constexpr int kShaftDampings = static_cast<int>(sizeof(kShaftDamping) / sizeof(double));
 
-/// Can the effect act in one direction only? Friction brakes, a lag lags, a play is not negative; iron
-/// saturates, copper resists more as it warms, tools only wear.
+/// Can the effect act in one direction only? Friction brakes, a lag lags, a play is not negative; iron and
+/// drives saturate, copper resists more as it warms, tools only wear.
 constexpr bool acts_one_way(Effect effect) {
   switch (effect) {
     case Effect::kSpindleCoulombFriction:
@@ -122,6 +122,7 @@ constexpr bool acts_one_way(Effect effect) {
     case Effect::kInductanceSaturation:
     case Effect::kResistanceTemperatureDrift:
     case Effect::kToolWearRamp:
+    case Effect::kFeedForceSaturation:
       return true;
     default:
       return size_is_shape(effect);

@@ -3,6 +3,7 @@
 
 #include "sim_host/diagnose/search/candidate_forms.hpp"
 #include "sim_host/diagnose/search/effect_duel.hpp"
+#include "sim_host/diagnose/search/effect_trial.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {
@@ -72,6 +73,28 @@ TEST_F(Duel, JudgesNoneByAPromiseThatWasLifted) {
   ASSERT_EQ(ranked.front().form.effect, Effect::kFeedForceOffset);
   EXPECT_GT(ranked.front().evidence, 200.0);
   EXPECT_DOUBLE_EQ(ranked.back().evidence, kTooLittle);
+}
+
+/// Does an effect of this size act as no machine's does, beside one that the machine file states?
+bool acts_wrong(Effect found, double size, std::optional<Effect> stated = {}) {
+  GapModel model;
+  if (stated) model.known.push_back(gap::applied(*stated, 1.0, {}));
+  return host::acts_the_wrong_way(gap::applied(found, size, {}), model);
+}
+
+TEST(WrongWay, IsWhatNoMachineDoes) {
+  EXPECT_TRUE(acts_wrong(Effect::kFeedForceSaturation, -1.0e-5));
+  EXPECT_FALSE(acts_wrong(Effect::kFeedForceSaturation, 1.0e-5));
+  EXPECT_TRUE(acts_wrong(Effect::kFeedPresliding, -5.9));
+  EXPECT_FALSE(acts_wrong(Effect::kFeedSpring, -10.0));
+  EXPECT_FALSE(acts_wrong(Effect::kFeedStribeckFriction, -0.6)) << "a shape of the friction beside it";
+  EXPECT_FALSE(acts_wrong(Effect::kSpindleWindage, -1.0e-5)) << "a shape of the viscous friction";
+}
+
+TEST(WrongWay, MayBeWhatIsMissingOfOneThatIsStated) {
+  EXPECT_FALSE(acts_wrong(Effect::kFeedCoulombFriction, -1.0, Effect::kFeedCoulombFriction));
+  EXPECT_FALSE(acts_wrong(Effect::kFeedCoulombFriction, -1.0, Effect::kFeedStribeckFriction)) << "its kind";
+  EXPECT_TRUE(acts_wrong(Effect::kFeedForceSaturation, -1.0e-5, Effect::kFeedSpring)) << "of no kind, either";
 }
 
 }  // namespace

@@ -19,17 +19,6 @@ namespace {
 constexpr double kNearlyAsGood = 0.6;
 constexpr std::size_t kMostTrials = 6;  // in all, where those before them turn out to be worth nothing
 
-/// A size that no machine has: what a fit makes of another effect's shape. Beside a friction that the machine
-/// file states, what is missing may have either sign.
-bool is_impossible(const gap::AppliedEffect& effect, const GapModel& model) {
-  const bool is_stated = std::any_of(model.known.begin(), model.known.end(), [&](const auto& known) {
-    return family_of(known.form.effect) == family_of(effect.form.effect);
-  });
-  const bool has_sign = gap::info_of(effect.form.effect).range != gap::SizeRange::kAnySign ||
-                        (only_brakes(effect.form.effect) && !is_stated);
-  return has_sign && effect.coefficient[0] < 0.0;
-}
-
 /// A load that follows the speed with a higher power than any cut: what a droop by a hundredth makes of
 /// something else. Right ones of tests/blind and another simulator were 0.05 to 0.98 of the load, absurd ones
 /// 12 to 50.
@@ -88,7 +77,7 @@ class Duel {
                      freedom_cost(trial.fit, trial.fit.model().effects.back());
     const GapModel& model = trial.fit.model();
     const gap::AppliedEffect& newest = model.effects.back();
-    const bool is_possible = !is_impossible(newest, model) && !is_absurd(newest, trial.fit);
+    const bool is_possible = !acts_the_wrong_way(newest, model) && !is_absurd(newest, trial.fit);
     if (is_possible && !rival.is_lifted) promised_most_ = std::max(promised_most_, rival.promised);
     if (!is_possible || !std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
     if (!(rival.evidence > best_)) return;

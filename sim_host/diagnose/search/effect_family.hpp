@@ -103,12 +103,6 @@ inline constexpr Plainer kPlainer[] = {
     {gap::Effect::kFeedSpring, gap::Effect::kFeedForceOffset, 0.7, false},
 };
 
-/// A friction that drives is none.
-constexpr bool only_brakes(gap::Effect effect) {
-  return effect == gap::Effect::kFeedCoulombFriction || effect == gap::Effect::kFeedPresliding ||
-         effect == gap::Effect::kSpindleCoulombFriction;
-}
-
 /// On which side of a play a slide is, pieces of a recording do not tell, nor does any model know it for
 /// long: its size can be right and the gap stay.
 constexpr bool keeps_its_side(gap::Effect effect) { return effect == gap::Effect::kFeedBacklash; }

@@ -81,6 +81,16 @@ bool is_bent(const AxisFit& fit) {
   return false;
 }
 
+bool acts_the_wrong_way(const gap::AppliedEffect& effect, const GapModel& model) {
+  const gap::Effect own = effect.form.effect;
+  const bool is_shape = gap::is_stribeck(own) || own == gap::Effect::kSpindleWindage;
+  if (!gap::acts_one_way(own) || is_shape || !(effect.coefficient[0] < 0.0)) return false;
+  return std::none_of(model.known.begin(), model.known.end(), [own](const gap::AppliedEffect& known) {
+    const Family family = family_of(own);
+    return known.form.effect == own || (family != Family::kNone && family_of(known.form.effect) == family);
+  });
+}
+
 AxisFit at_datasheet(const AxisFit& fit) {
   AxisFit anew(fit.axis(), fit.signals(), fit.datasheet());
   anew.change_model().effects = fit.model().effects;

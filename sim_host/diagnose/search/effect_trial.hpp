@@ -23,6 +23,11 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
 /// be anywhere.
 bool is_bent(const AxisFit& fit);
 
+/// A size of the sign that no machine has: what a fit makes of another effect's shape. Beside one of its kind
+/// that the machine file states, what is missing may have either sign; less friction at rest than in motion,
+/// or a drag that falls behind the speed, is a shape.
+bool acts_the_wrong_way(const gap::AppliedEffect& effect, const GapModel& model);
+
 /// The model's effects beside the datasheet's parameters.
 AxisFit at_datasheet(const AxisFit& fit);
 
