@@ -1,6 +1,8 @@
 // Which of the candidates for a cause get a trial, and what is said of those that get none.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "sim_host/diagnose/search/candidate_forms.hpp"
 #include "sim_host/diagnose/search/effect_duel.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
@@ -76,13 +78,23 @@ TEST_F(Duel, JudgesNoneByAPromiseThatWasLifted) {
 }
 
 /// Does an effect of this size act as no machine's does, beside one that the machine file states?
-bool acts_wrong(Effect found, double size, std::optional<Effect> stated = {}) {
-  GapModel model;
-  if (stated) model.known.push_back(gap::applied(*stated, 1.0, {}));
-  return host::acts_the_wrong_way(gap::applied(found, size, {}), model);
-}
+class WrongWay : public Duel {
+ protected:
+  bool acts_wrong(Effect found, double size, std::optional<Effect> stated = {}) {
+    gap::AppliedEffect one = gap::applied(found, size, {});
+    if (gap::size_is_shape(found) || found == Effect::kShaftCompliance) one.coefficient[0] = size;
+    return acts_wrong(one, stated);
+  }
 
-TEST(WrongWay, IsWhatNoMachineDoes) {
+  bool acts_wrong(const gap::AppliedEffect& found, std::optional<Effect> stated = {}) {
+    auto& known = fit_.change_model().known;
+    known.clear();
+    if (stated) known.push_back(gap::applied(*stated, 1.0, {}));
+    return host::acts_the_wrong_way(found, fit_);
+  }
+};
+
+TEST_F(WrongWay, IsWhatNoMachineDoes) {
   EXPECT_TRUE(acts_wrong(Effect::kFeedForceSaturation, -1.0e-5));
   EXPECT_FALSE(acts_wrong(Effect::kFeedForceSaturation, 1.0e-5));
   EXPECT_TRUE(acts_wrong(Effect::kFeedPresliding, -5.9));
@@ -91,10 +103,29 @@ TEST(WrongWay, IsWhatNoMachineDoes) {
   EXPECT_FALSE(acts_wrong(Effect::kSpindleWindage, -1.0e-5)) << "a shape of the viscous friction";
 }
 
-TEST(WrongWay, MayBeWhatIsMissingOfOneThatIsStated) {
+TEST_F(WrongWay, MayBeWhatIsMissingOfOneThatIsStated) {
   EXPECT_FALSE(acts_wrong(Effect::kFeedCoulombFriction, -1.0, Effect::kFeedCoulombFriction));
   EXPECT_FALSE(acts_wrong(Effect::kFeedCoulombFriction, -1.0, Effect::kFeedStribeckFriction)) << "its kind";
+  EXPECT_TRUE(acts_wrong(Effect::kFeedCoulombFriction, -1.0, Effect::kSpindleCoulombFriction)) << "elsewhere";
   EXPECT_TRUE(acts_wrong(Effect::kFeedForceSaturation, -1.0e-5, Effect::kFeedSpring)) << "of no kind, either";
+}
+
+// A mass at the far end of a shaft, the width of a play: none is less than nothing, whatever was there
+// before.
+TEST_F(WrongWay, IsASizeThatCannotBe) {
+  for (const Effect one : {Effect::kShaftCompliance, Effect::kFeedBacklash})
+    EXPECT_TRUE(acts_wrong(one, -0.1, one)) << gap::info_of(one).name;
+}
+
+// A drive that clips hard bends so much that its law begins the other way.
+TEST_F(WrongWay, IsSeenWhereALawThatBendsActsMost) {
+  gap::AppliedEffect clipped = gap::applied(Effect::kFeedForceSaturation, -0.35e-4, {});
+  clipped.form.parts = 2;
+  const double most_n = signals_.largest(Channel::kFeedForce) / fit_.model().point.feed_force_n;
+  clipped.coefficient[1] = 0.52e-4 / (most_n * most_n);
+  EXPECT_FALSE(acts_wrong(clipped));
+  clipped.coefficient[1] *= 0.5;
+  EXPECT_TRUE(acts_wrong(clipped));
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ class ShakenFriction : public testing::TestWithParam<Shaken> {};
 
 // With friction at the estimated speed alone, as if that were the speed, 8 N came back as 6.9 N and as
 // 3.2 N; without a search that begins with little process noise as 7.6 N and 6.7 N where there is none. A
-// tenth: what random forces that last for ten samples leave (sim_host/diagnose/fit/README.md). Without them, of a
-// Stribeck curve 6 %: its size is the friction at rest, from which range and bend extrapolate.
+// tenth: what random forces that last for ten samples leave (sim_host/diagnose/fit/README.md). Without them,
+// of a Stribeck curve 6 %: its size is the friction at rest, from which range and bend extrapolate.
 TEST_P(ShakenFriction, HasItsSize) {
   const auto& [friction, process_noise, seed, tolerance] = GetParam();
   constexpr double kSizeN = 8.0;

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "sim_host/diagnose/leftover/turn.hpp"
+#include "sim_host/support/turn.hpp"
 
 namespace morepro::host {
 namespace {

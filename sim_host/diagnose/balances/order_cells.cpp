@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "sim_host/diagnose/balances/significance.hpp"
-#include "sim_host/diagnose/leftover/turn.hpp"
+#include "sim_host/support/turn.hpp"
 
 namespace morepro::host {
 namespace {

@@ -15,6 +15,9 @@
 
 namespace morepro::host {
 
+/// A parameter that the recording leaves uncertain by this share was not found in it.
+inline constexpr double kTold = 0.1;
+
 /// One axis of the machine with the model that fits it best so far.
 class AxisFit {
  public:
@@ -94,9 +97,15 @@ class AxisFit {
   /// Relative deviation of each parameter from the datasheet; the contact loads' in N.
   [[nodiscard]] Eigen::VectorXd deviation() const;
   /// By what factor, at least 1, a value that the recording tells is off the datasheet's, up or down: the
-  /// farthest one. Not of viscous frictions, which may be anything, nor of contact loads.
+  /// farthest one of motor, inertia and mass. The contact torque of a machine file that is wrong counts as
+  /// another motor: it alone fixes the common factor of torque constant and inertia.
   [[nodiscard]] double farthest_factor() const;
-  /// Their standard errors, and the share of them that the recording does not tell (1: nothing known).
+  /// Does the recording tell this parameter?
+  [[nodiscard]] bool tells(Eigen::Index parameter) const {
+    return parameter < standard_error_.size() && standard_error_(parameter) < kTold;
+  }
+  /// Their standard errors, as shares of the model's values, and the share of them that the recording does
+  /// not tell (1: nothing known).
   [[nodiscard]] const Eigen::VectorXd& standard_error() const { return standard_error_; }
   /// Theirs, and behind them that of the sizes of effects.
   [[nodiscard]] const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -196,7 +205,5 @@ class AxisFit {
 /// Of the spindle's parameters those of the torque balance; the others are the voltage balance's.
 inline constexpr Eigen::Index kTorqueParameters = 3;
 inline constexpr double kBlockS = 0.25;
-/// A parameter that the recording leaves uncertain by this share was not found in it.
-inline constexpr double kTold = 0.1;
 
 }  // namespace morepro::host

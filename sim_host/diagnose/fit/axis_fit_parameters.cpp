@@ -1,6 +1,7 @@
 // Parameters of an axis: what is known of them beforehand, how far they are from the datasheet, how a step
 // changes them and the sizes of effects.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lib/gap/feed_observer.hpp"
@@ -55,18 +56,18 @@ Eigen::VectorXd AxisFit::deviation() const {
 }
 
 double AxisFit::farthest_factor() const {
-  const auto is_any = [this](Eigen::Index j) {
-    const auto column = static_cast<std::size_t>(j);
-    return axis_ == Axis::kSpindle ? column == static_cast<std::size_t>(gap::SpindleColumn::kViscousFriction)
-                                   : column != static_cast<std::size_t>(gap::FeedColumn::kMass);
-  };
+  using Spindle = gap::SpindleColumn;
+  static constexpr std::array kOfSpindle{Spindle::kTorqueConstant, Spindle::kInertia, Spindle::kResistance,
+                                         Spindle::kBackEmfConstant, Spindle::kInductance};
   const Eigen::VectorXd d = deviation();
   double farthest = 1.0;
-  for (Eigen::Index j = 0; j < std::min(d.size(), standard_error_.size()); ++j) {
+  const auto look_at = [&](auto column) {
+    const auto j = static_cast<Eigen::Index>(column);
     const double factor = 1.0 + d(j);
-    if (is_any(j) || !(factor > 0.0) || !(standard_error_(j) < kTold * factor)) continue;
-    farthest = std::max({farthest, factor, 1.0 / factor});
-  }
+    if (tells(j) && factor > 0.0) farthest = std::max({farthest, factor, 1.0 / factor});
+  };
+  if (axis_ == Axis::kFeed) look_at(gap::FeedColumn::kMass);
+  if (axis_ == Axis::kSpindle) std::for_each(kOfSpindle.begin(), kOfSpindle.end(), look_at);
   return farthest;
 }
 

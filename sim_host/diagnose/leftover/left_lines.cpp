@@ -6,8 +6,8 @@
 
 #include "sim_host/diagnose/fit/white_innovations.hpp"
 #include "sim_host/diagnose/leftover/spectral_lines.hpp"
-#include "sim_host/diagnose/leftover/turn.hpp"
 #include "sim_host/diagnose/signals/sampling_checks.hpp"
+#include "sim_host/support/turn.hpp"
 
 namespace morepro::host {
 namespace {

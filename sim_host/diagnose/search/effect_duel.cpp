@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "lib/gap/effect_catalogue.hpp"
+#include "lib/gap/effect_form.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
 #include "sim_host/diagnose/search/newest_effect.hpp"
@@ -77,7 +77,7 @@ class Duel {
                      freedom_cost(trial.fit, trial.fit.model().effects.back());
     const GapModel& model = trial.fit.model();
     const gap::AppliedEffect& newest = model.effects.back();
-    const bool is_possible = !acts_the_wrong_way(newest, model) && !is_absurd(newest, trial.fit);
+    const bool is_possible = !acts_the_wrong_way(newest, trial.fit) && !is_absurd(newest, trial.fit);
     if (is_possible && !rival.is_lifted) promised_most_ = std::max(promised_most_, rival.promised);
     if (!is_possible || !std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
     if (!(rival.evidence > best_)) return;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "lib/gap/board_forms.hpp"
 #include "lib/gap/dry_friction.hpp"
+#include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/newest_effect.hpp"
@@ -30,6 +32,31 @@ gap::AppliedEffect beginning_of(const Candidate& candidate) {
 /// Where a noisy speed changes its sign all the time, the width in which friction does so looks too wide.
 constexpr bool has_blurred_shape(const gap::EffectForm& form) {
   return gap::is_dry_friction(form) && !gap::is_stribeck(form.effect);
+}
+
+/// How much the second part of a law is of its first where its cause is largest, of those that have no second
+/// part where there is no cause.
+double largest_bend(gap::Effect effect, const AxisFit& fit) {
+  const RecordingSignals& signals = fit.signals();
+  const gap::ReferencePoint& point = fit.model().point;
+  const auto square = [](double ratio) { return ratio * ratio; };
+  switch (effect) {
+    case gap::Effect::kFeedForceSaturation:
+      return square(signals.largest(Channel::kFeedForce) / point.feed_force_n);
+    case gap::Effect::kTorqueConstantSaturation:
+      return square(signals.largest(Channel::kArmatureCurrent) / point.current_a);
+    case gap::Effect::kToolWearRamp:
+      return signals.cutting_time_s.empty() ? 0.0 : 0.1 * signals.cutting_time_s.back();
+    default:
+      return 0.0;
+  }
+}
+
+/// Are they the same, or parts of one friction of the same axis?
+bool is_of_one_kind(gap::Effect a, gap::Effect b) {
+  const Family family = family_of(a);
+  return a == b ||
+         (family != Family::kNone && family == family_of(b) && gap::is_of_feed(a) == gap::is_of_feed(b));
 }
 
 /// The model with one effect more, fitted to a part of the recording.
@@ -74,21 +101,22 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
 
 bool is_bent(const AxisFit& fit) {
   const Eigen::VectorXd deviation = fit.deviation().cwiseAbs();
-  const Eigen::VectorXd& error = fit.standard_error();
   const Eigen::Index relative = fit.axis() == Axis::kSpindle ? deviation.size() : 2;
-  for (Eigen::Index j = 0; j < std::min(relative, error.size()); ++j)
-    if (deviation(j) > kBent && error(j) < kTold) return true;
+  for (Eigen::Index j = 0; j < relative; ++j)
+    if (deviation(j) > kBent && fit.tells(j)) return true;
   return false;
 }
 
-bool acts_the_wrong_way(const gap::AppliedEffect& effect, const GapModel& model) {
+bool acts_the_wrong_way(const gap::AppliedEffect& effect, const AxisFit& fit) {
   const gap::Effect own = effect.form.effect;
   const bool is_shape = gap::is_stribeck(own) || own == gap::Effect::kSpindleWindage;
   if (!gap::acts_one_way(own) || is_shape || !(effect.coefficient[0] < 0.0)) return false;
-  return std::none_of(model.known.begin(), model.known.end(), [own](const gap::AppliedEffect& known) {
-    const Family family = family_of(own);
-    return known.form.effect == own || (family != Family::kNone && family_of(known.form.effect) == family);
-  });
+  if (gap::info_of(own).range != gap::SizeRange::kAnySign) return true;
+  const bool is_bent = effect.form.parts > 1 && gap::bends(own);
+  if (is_bent && effect.coefficient[0] + largest_bend(own, fit) * effect.coefficient[1] > 0.0) return false;
+  const auto& known = fit.model().known;
+  return std::none_of(known.begin(), known.end(),
+                      [own](const gap::AppliedEffect& one) { return is_of_one_kind(one.form.effect, own); });
 }
 
 AxisFit at_datasheet(const AxisFit& fit) {
