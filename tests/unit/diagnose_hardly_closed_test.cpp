@@ -107,11 +107,19 @@ TEST(KeptGap, IsMoreThanShapesLeave) {
   EXPECT_TRUE(keeps_a_gap(wrong, std::array{gap_of(32.0, 32.0)}));
   EXPECT_TRUE(keeps_a_gap(wrong, std::array{gap_of(11.0, 2.1)}));
   EXPECT_FALSE(keeps_a_gap(wrong, std::array{gap_of(11.0, 1.9)}));
-  EXPECT_FALSE(keeps_a_gap(wrong, std::array{gap_of(1.29, 1.29)})) << "hardly shows";
+  EXPECT_FALSE(keeps_a_gap(wrong, std::array{gap_of(1.14, 1.14)})) << "hardly shows";
   EXPECT_TRUE(keeps_a_gap(wrong, std::array{gap_of(50.0, 1.0), gap_of(1.4, 1.4)})) << "any";
   BalanceResult unevaluated = gap_of(11.0, 11.0);
   unevaluated.is_evaluated = false;
   EXPECT_FALSE(keeps_a_gap(wrong, std::array{unevaluated}));
+}
+
+// A bump in the way that had the names of three parts of a friction: less is to be seen, but more of it.
+TEST(KeptGap, OfWhichLittleIsSeenIsMuchOfIt) {
+  const std::array little{gap_of(1.7, 1.2)};
+  EXPECT_TRUE(keeps_a_gap(run_free({}, 2.7, 2.0), little));
+  EXPECT_FALSE(keeps_a_gap(run_free({}, 2.7, 1.8), little)) << "runs better";
+  EXPECT_FALSE(keeps_a_gap(run_free({}, 2.7, 2.0), std::array{gap_of(1.9, 1.2)})) << "a shape";
 }
 
 // Rows at 1 kHz were five times their noise beside a bias that explained everything.

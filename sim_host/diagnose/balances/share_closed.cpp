@@ -99,19 +99,23 @@ void share_closed(std::span<const BalanceRows> balances, std::span<const Unnamed
                           std::max(high[kDraws - 1 - kDraws / 20], shrinkage.share_closed)};
 }
 
-double share_kept(const BalanceResult& balance) {
-  constexpr double kVisible = 1.3;  // residual ratio
+double share_kept(const BalanceResult& balance, double visible) {
   const double left = balance.residual_ratio_after - 1.0;
-  if (!balance.is_evaluated || !(left > kVisible - 1.0)) return 0.0;
+  if (!balance.is_evaluated || !(left > visible - 1.0)) return 0.0;
   return left / std::max(balance.residual_ratio - 1.0, left);
 }
 
 bool keeps_a_gap(const Shrinkage& shrinkage, std::span<const BalanceResult> where) {
   constexpr double kOfShapes = 0.1;
   constexpr double kRunsRight = 0.95;
+  constexpr double kFaint = 1.15;  // residual ratio
+  constexpr double kMuch = 0.25;
+  constexpr double kRunsBetter = 0.6;
   return std::any_of(where.begin(), where.end(), [&](const BalanceResult& balance) {
     const auto& free_run = shrinkage.free_run_nrmse[static_cast<std::size_t>(balance.balance)];
-    return share_kept(balance) > kOfShapes && share_predicted(free_run) < kRunsRight;
+    const double predicted = share_predicted(free_run);
+    return (share_kept(balance) > kOfShapes && predicted < kRunsRight) ||
+           (share_kept(balance, kFaint) > kMuch && predicted < kRunsBetter);
   });
 }
 
