@@ -112,8 +112,8 @@ bool acts_the_wrong_way(const gap::AppliedEffect& effect, const AxisFit& fit) {
   const bool is_shape = gap::is_stribeck(own) || own == gap::Effect::kSpindleWindage;
   if (!gap::acts_one_way(own) || is_shape || !(effect.coefficient[0] < 0.0)) return false;
   if (gap::info_of(own).range != gap::SizeRange::kAnySign) return true;
-  const bool is_bent = effect.form.parts > 1 && gap::bends(own);
-  if (is_bent && effect.coefficient[0] + largest_bend(own, fit) * effect.coefficient[1] > 0.0) return false;
+  const bool has_bend = effect.form.parts > 1 && gap::bends(own);
+  if (has_bend && effect.coefficient[0] + largest_bend(own, fit) * effect.coefficient[1] > 0.0) return false;
   const auto& known = fit.model().known;
   return std::none_of(known.begin(), known.end(),
                       [own](const gap::AppliedEffect& one) { return is_of_one_kind(one.form.effect, own); });

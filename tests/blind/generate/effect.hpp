@@ -25,7 +25,7 @@ struct Point {
   Inputs in;
   double t = 0.0, w = 0.0, v = 0.0, i = 0.0, angle = 0.0, x = 0.0;
   double tool_c = 20.0, slow_heat_k = 0.0, fast_heat_k = 0.0;
-  double cut_s = 0.0;           ///< time in contact so far, since the effect has set in that looks at it
+  double cut_s = 0.0;           ///< time in contact since the effect that looks has set in
   double contact_torque = 0.0;  ///< nominal law, N m, before the switch `in.contact`
   double speed_rate = 0.0, feed_rate = 0.0, current_rate = 0.0;
 

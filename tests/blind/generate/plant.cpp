@@ -69,13 +69,11 @@ void Plant::derivative(const Vector& state, const Disturbance& disturbance, Vect
                               : 0.0;
   Loads loads{.applied_voltage_v = point_.in.voltage_v, .applied_force_n = point_.in.force_n};
   int slot = kBase;
-  const double cut_s = point_.cut_s;
   for (const ActiveEffect& active : effects_) {
-    point_.cut_s = cut_s - active.cut_before_s;
+    point_.cut_s = active.cut_s;
     if (point_.t >= active.onset_s) active.effect->act(point_, state.data() + slot, loads);
     slot += active.effect->states();
   }
-  point_.cut_s = cut_s;
   balances(loads, disturbance, rate);
   heat(rate);
   slot = kBase;
@@ -98,11 +96,8 @@ void Plant::step(const Inputs& inputs, const Disturbance& disturbance, double h)
   for (int j = 0; j < used_; ++j) state_[j] += h / 6.0 * (k[0][j] + 2.0 * (k[1][j] + k[2][j]) + k[3][j]);
   set_point(state_);
   point_.t += h;
-  if (inputs.contact > 0.0) {
-    point_.cut_s += h;
-    for (ActiveEffect& active : effects_)
-      if (point_.t < active.onset_s) active.cut_before_s += h;
-  }
+  for (ActiveEffect& active : effects_)
+    if (inputs.contact > 0.0 && point_.t >= active.onset_s) active.cut_s += h;
   for (const ActiveEffect& active : effects_) active.effect->track(point_, h);
 }
 

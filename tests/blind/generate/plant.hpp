@@ -11,7 +11,7 @@ namespace blind {
 struct ActiveEffect {
   Effect* effect = nullptr;
   double onset_s = 0.0;
-  double cut_before_s = 0.0;  ///< time in contact before that
+  double cut_s = 0.0;  ///< time in contact since
 };
 
 /// Random load and ripple during one integration step: N m, N, V.
