@@ -152,24 +152,23 @@ class Increments {
     const auto rows = static_cast<Eigen::Index>(signals_.rows);
     BalanceIncrements increments{
         .balance = balance, .columns = Eigen::MatrixXf(rows, width), .known = {}, .nominal = {}};
-    increments.columns.row(0).setConstant(static_cast<float>(kMissing));
     increments.columns.row(rows - 1).setConstant(static_cast<float>(kMissing));
     return increments;
   }
 
-  /// visit(row, before, here, next) for every row that has neighbours on both sides.
+  /// visit(row, before, here, next) for every row with a next one; nothing is measured before the first.
   template <class Visit>
   void for_each_row(Visit visit) const {
     FrameSource frames(signals_, machine_, 0);
     const EffectTrace known = trace_effects(fit_.axis(), signals_, without_findings(fit_.model()));
     const bool has_found = !fit_.model().effects.empty();
     const EffectTrace all = has_found ? trace_effects(fit_.axis(), signals_, fit_.model()) : nullptr;
-    std::array<Moment, 3> moments;
+    std::array<Moment, 3> moments;  // before the first row: frames without a measurement
     for (std::size_t i = 0; i < signals_.rows; ++i) {
       Moment& newest = moments[i % 3];
       newest = {.frame = frames.next(), .known = known(), .found = {}};
       if (has_found) newest.found = less(all(), newest.known);
-      if (i >= 2) visit(static_cast<Eigen::Index>(i - 1), moments[(i - 2) % 3], moments[(i - 1) % 3], newest);
+      if (i >= 1) visit(static_cast<Eigen::Index>(i - 1), moments[(i + 1) % 3], moments[(i - 1) % 3], newest);
     }
   }
 
