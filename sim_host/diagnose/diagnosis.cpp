@@ -42,6 +42,7 @@ namespace {
 using gap::Effect;
 
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
+constexpr double kIsGap = 1.3;     // residual ratio that is left where something has no name
 
 class Diagnosis {
  public:
@@ -343,7 +344,8 @@ class Diagnosis {
         balance.onset_s = onset_of(outcome.diagnosis, finding.effect);
       is_strongest &= !is_here;
     }
-    balance.is_significant |= result_.verdict == Verdict::kUnexplained && shows_unnamed(outcome, balance);
+    balance.is_significant |=
+        is_unexplained() && (shows_unnamed(outcome, balance) || balance.residual_ratio_after > kIsGap);
   }
 
   /// `expected`: the sensors that the machine is known to have.

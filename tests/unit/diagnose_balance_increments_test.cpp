@@ -42,8 +42,7 @@ TEST_F(Increments, BeginWithTheFirstInterval) {
 // A speed that was not recorded takes three positions.
 TEST_F(Increments, BeginWithTheSecondPosition) {
   RecordingSignals signals = record({.duration_s = 0.5});
-  signals.value[index_of(Channel::kFeedSpeed)].clear();
-  signals.recorded &= static_cast<std::uint16_t>(~bit_of(Channel::kFeedSpeed));
+  leave_out(signals, Channel::kFeedSpeed);
   ASSERT_TRUE(signals.has(Channel::kFeedPosition));
   const auto [first, last] = measured(of(Axis::kFeed, signals).front());
   EXPECT_EQ(first, 1);

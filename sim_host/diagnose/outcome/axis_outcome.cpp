@@ -162,6 +162,15 @@ void tell_wandering_from_noise(double dropped, AxisOutcome& outcome) {
     outcome.leftover = {};
 }
 
+/// Noise that lasts bends parameters in closed loop, and what a controller is asked to follow is a line then.
+void forget_lines_of_bent_values(AxisOutcome& outcome) {
+  if (!outcome.diagnosis.found.empty() || outcome.leftover.lines.empty()) return;
+  AxisFit unbent = outcome.diagnosis.fit;
+  unbent.refit_beside_lasting_noise();
+  Leftover left = leftover_of(unbent, outcome.least_function());
+  if (left.gain < outcome.leftover.gain) outcome.leftover = std::move(left);
+}
+
 /// What no model of noise expects is there, whether a function without a name follows it or not.
 void keep_surprises(AxisOutcome& outcome) {
   const Surprises surprises = surprises_of(outcome.diagnosis.fit);
@@ -193,6 +202,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   drop_what_is_left_of_shapes(outcome);
   tell_wandering_from_noise(dropped, outcome);
   drop_what_no_balance_shows(diagnosis);
+  if (is_lasting) forget_lines_of_bent_values(outcome);
   keep_surprises(outcome);
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();
   diagnosis.fit.attribute_load();

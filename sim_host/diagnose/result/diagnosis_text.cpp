@@ -99,7 +99,9 @@ std::string where_text(const DiagnosisResult& r) {
 
 std::string size_text(const EffectResult& e) {
   if (std::isnan(e.magnitude)) return "undetermined";
-  return fmt::format("{:.4g} +- {:.2g} {}", e.magnitude, e.standard_error, gap::info_of(e.effect).unit);
+  const std::string_view unit = gap::info_of(e.effect).unit;
+  return fmt::format("{:.4g} +- {:.2g}{}{}", e.magnitude, e.standard_error, unit == "1" ? "" : " ",
+                     unit == "1" ? "" : unit);
 }
 
 std::string which_text(const DiagnosisResult& r) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "lib/plant/dynamics.hpp"
@@ -129,11 +130,35 @@ bool knows_rates(const AxisFit& fit) {
   return signals.has(Channel::kSpindleSpeed) && signals.has_electrics();
 }
 
-Evaluation look_at(const AxisFit& fit, const GapModel& model) {
+/// Innovations less what those before of the same sensor predict of them.
+class Unpredicted {
+ public:
+  explicit Unpredicted(const Whitening& whitening) : whitening_(whitening) {}
+
+  double of(const Innovation& v, double value) {
+    const SensorWhitening& white = whitening_[v.sensor];
+    auto& past = past_[v.sensor];
+    const double deviation = white.scale[v.in_contact ? 1 : 0] * std::sqrt(v.variance);
+    double predicted = 0.0;
+    for (std::size_t i = 0; i < white.kLags.size() && white.kLags[i] <= past.size(); ++i)
+      predicted += white.memory[i] * past[past.size() - white.kLags[i]];
+    past.push_back(value / deviation);
+    return value - predicted * deviation;
+  }
+
+ private:
+  const Whitening& whitening_;
+  std::array<std::vector<double>, kSensorsPerAxis> past_;
+};
+
+/// `whitening`: to look at what the past does not predict; none for all of it.
+Evaluation look_at(const AxisFit& fit, const GapModel& model, const Whitening* whitening = nullptr) {
   Evaluation evaluation{.residuals = std::vector<Residuals>(2 * kSensorsPerAxis),
                         .togetherness = std::vector<Togetherness>(kSensorsPerAxis),
                         .fit = {}};
   Rates rates(fit.axis(), fit.signals(), model);
+  std::optional<Unpredicted> unpredicted;
+  if (whitening != nullptr) unpredicted.emplace(*whitening);
   const double period_s = 1.0 / fit.signals().rate_hz;
   run_observer(fit.axis(), fit.signals(), model, 0, fit.signals().rows, [&](const Innovation& v) {
     if (v.row == 0) return;
@@ -141,7 +166,8 @@ Evaluation look_at(const AxisFit& fit, const GapModel& model) {
     const bool is_position = fit.axis() == Axis::kFeed && v.sensor == 0;
     const double of_interval = is_position ? period_s * std::fabs(rate) : 0.0;
     const double most = std::max(kLargestDeviation * std::sqrt(v.variance), of_interval);
-    const double value = std::clamp(v.value, -most, most);
+    double value = std::clamp(v.value, -most, most);
+    if (unpredicted) value = unpredicted->of(v, value);
     evaluation.residuals[2 * v.sensor + (v.in_contact ? 1 : 0)].add(value, rate, v.variance);
     evaluation.togetherness[v.sensor].add(value, rate, v.variance);
   });
@@ -312,8 +338,19 @@ bool is_shared_by_law(double shared, const Jitter& jitter, double period_s, doub
   return shared > most_shared || shared < least_shared;
 }
 
+/// How much is left of the evidence that a sensor shakes without what its own past predicts? In closed loop
+/// noise that lasts makes the rates that it goes with, and is predicted; a law is where rates are.
+double unpredicted_evidence(const AxisFit& fit, std::size_t sensor, double period_s) {
+  const Whitening whitening = whitening_of(fit.innovations());
+  Evaluation all = look_at(fit, fit.model(), &whitening);
+  const auto first = all.residuals.begin() + static_cast<std::ptrdiff_t>(2 * sensor);
+  Evaluation one{.residuals = {first, first + 2}, .togetherness = {}, .fit = {}};
+  return unlikeliness(one, 0.0) - best_jitter(one, period_s).unlikeliness;
+}
+
 /// The sensor that shakes most, where it is no clock.
-Shaking of_law(const Judged& judged) {
+Shaking of_law(std::span<const AxisFit* const> fits, const Judged& judged, double period_s) {
+  constexpr double kLeastUnpredicted = 0.1;
   Shaking shaking;
   if (!exceeds_stated_noise(judged)) return shaking;
   const double jitter_s2 = judged.jitter.size_s * judged.jitter.size_s;
@@ -324,7 +361,9 @@ Shaking of_law(const Judged& judged) {
     shaking.fit = judged.evaluation.fit[sensor];
     shaking.sensor = sensor % kSensorsPerAxis;
   }
-  return shaking;
+  if (!(shaking.of_law > 0.0)) return {};
+  const double unpredicted = unpredicted_evidence(*fits[shaking.fit], shaking.sensor, period_s);
+  return unpredicted > kLeastUnpredicted * shaking.of_law ? shaking : Shaking{};
 }
 
 }  // namespace
@@ -337,11 +376,12 @@ Shaking find_shaking(std::span<const AxisFit* const> fits) {
   const double evidence = unlikeliness(evaluation, 0.0) - best.unlikeliness;
   const Judged first{std::move(evaluation), best};
   if (!(evidence > kLeastEvidence)) return {};
-  if (is_shared_by_law(doubt_about(first).shared, best, period_s, kLeastSharedAtFirst)) return of_law(first);
+  if (is_shared_by_law(doubt_about(first).shared, best, period_s, kLeastSharedAtFirst))
+    return of_law(fits, first, period_s);
   const Judged last = with_its_noise(fits, first, period_s);
   const Doubt doubt = doubt_about(last);
   if (doubt.is_refuted || is_shared_by_law(doubt.shared, last.jitter, period_s, kLeastShared))
-    return of_law(first);
+    return of_law(fits, first, period_s);
   if (!exceeds_stated_noise(last)) return {};
   const double error = std::hypot(relative_error(first.evaluation, first.jitter), kSizeError);
   return {.of_clock = SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, last.jitter.size_s,
