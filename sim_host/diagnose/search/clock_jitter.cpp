@@ -338,21 +338,9 @@ bool is_shared_by_law(double shared, const Jitter& jitter, double period_s, doub
   return shared > most_shared || shared < least_shared;
 }
 
-/// How much is left of the evidence that a sensor shakes without what its own past predicts? In closed loop
-/// noise that lasts makes the rates that it goes with, and is predicted; a law is where rates are.
-double unpredicted_evidence(const AxisFit& fit, std::size_t sensor, double period_s) {
-  const Whitening whitening = whitening_of(fit.innovations());
-  Evaluation all = look_at(fit, fit.model(), &whitening);
-  const auto first = all.residuals.begin() + static_cast<std::ptrdiff_t>(2 * sensor);
-  Evaluation one{.residuals = {first, first + 2}, .togetherness = {}, .fit = {}};
-  return unlikeliness(one, 0.0) - best_jitter(one, period_s).unlikeliness;
-}
-
-/// The sensor that shakes most, where it is no clock.
-Shaking of_law(std::span<const AxisFit* const> fits, const Judged& judged, double period_s) {
-  constexpr double kLeastUnpredicted = 0.1;
+/// The sensor that shakes most.
+Shaking strongest(const Judged& judged) {
   Shaking shaking;
-  if (!exceeds_stated_noise(judged)) return shaking;
   const double jitter_s2 = judged.jitter.size_s * judged.jitter.size_s;
   for (std::size_t sensor = 0; sensor < judged.evaluation.togetherness.size(); ++sensor) {
     const double evidence = evidence_of(judged.evaluation, sensor, jitter_s2);
@@ -361,9 +349,20 @@ Shaking of_law(std::span<const AxisFit* const> fits, const Judged& judged, doubl
     shaking.fit = judged.evaluation.fit[sensor];
     shaking.sensor = sensor % kSensorsPerAxis;
   }
-  if (!(shaking.of_law > 0.0)) return {};
-  const double unpredicted = unpredicted_evidence(*fits[shaking.fit], shaking.sensor, period_s);
-  return unpredicted > kLeastUnpredicted * shaking.of_law ? shaking : Shaking{};
+  return shaking;
+}
+
+/// Is it still there in what its own past does not predict? In closed loop noise that lasts makes the rates
+/// that it goes with, and is predicted; laws and clocks are where rates are.
+bool is_unpredicted(std::span<const AxisFit* const> fits, const Shaking& shaking, double period_s) {
+  constexpr double kLeastShare = 0.1;
+  const AxisFit& fit = *fits[shaking.fit];
+  const Whitening whitening = whitening_of(fit.innovations());
+  Evaluation all = look_at(fit, fit.model(), &whitening);
+  const auto first = all.residuals.begin() + static_cast<std::ptrdiff_t>(2 * shaking.sensor);
+  const Evaluation one{.residuals = {first, first + 2}, .togetherness = {}, .fit = {}};
+  const double evidence = unlikeliness(one, 0.0) - best_jitter(one, period_s).unlikeliness;
+  return evidence > kLeastShare * shaking.of_law;
 }
 
 }  // namespace
@@ -376,12 +375,13 @@ Shaking find_shaking(std::span<const AxisFit* const> fits) {
   const double evidence = unlikeliness(evaluation, 0.0) - best.unlikeliness;
   const Judged first{std::move(evaluation), best};
   if (!(evidence > kLeastEvidence)) return {};
-  if (is_shared_by_law(doubt_about(first).shared, best, period_s, kLeastSharedAtFirst))
-    return of_law(fits, first, period_s);
+  const Shaking most = strongest(first);
+  if (!is_unpredicted(fits, most, period_s)) return {};
+  const Shaking of_law = exceeds_stated_noise(first) ? most : Shaking{};
+  if (is_shared_by_law(doubt_about(first).shared, best, period_s, kLeastSharedAtFirst)) return of_law;
   const Judged last = with_its_noise(fits, first, period_s);
   const Doubt doubt = doubt_about(last);
-  if (doubt.is_refuted || is_shared_by_law(doubt.shared, last.jitter, period_s, kLeastShared))
-    return of_law(fits, first, period_s);
+  if (doubt.is_refuted || is_shared_by_law(doubt.shared, last.jitter, period_s, kLeastShared)) return of_law;
   if (!exceeds_stated_noise(last)) return {};
   const double error = std::hypot(relative_error(first.evaluation, first.jitter), kSizeError);
   return {.of_clock = SamplingFault{gap::Effect::kClockJitter, Channel::kArmatureCurrent, last.jitter.size_s,
