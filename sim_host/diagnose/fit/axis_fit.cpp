@@ -125,9 +125,9 @@ double AxisFit::relative_size_error_of(gap::Effect effect) const {
 AxisFit::Trial AxisFit::tried() const {
   const SizeColumns sizes(model_.effects);
   Trial trial;
-  if (weighs_all_ages_) {
+  if (memory_) {
     NewParts parts = look_beside_lasting_noise(axis_, *signals_, stretches_, model_, sizes.disturbances(),
-                                               whitening_, news_);
+                                               whitening_, *memory_, news_);
     trial.moments = std::move(parts.moments);
     trial.rows = parts.rows;
     trial.cost = parts.deviance;
@@ -141,7 +141,7 @@ AxisFit::Trial AxisFit::tried() const {
   const Eigen::Index width = trial.moments.cols();
   const double of_prior = precision(width).dot(target(width).cwiseAbs2());
   trial.squares = trial.moments(width - 1, width - 1) + of_prior;
-  trial.cost = weighs_all_ages_ ? trial.cost + of_prior : trial.squares;
+  trial.cost = memory_ ? trial.cost + of_prior : trial.squares;
   return trial;
 }
 
@@ -271,18 +271,18 @@ double AxisFit::refit_with_this_noise() {
   return best.cost;
 }
 
-double AxisFit::refit_beside_lasting_noise(const InputNews* news) {
-  weighs_all_ages_ = true;
+double AxisFit::refit_beside_lasting_noise(Memory memory, const InputNews* news) {
+  memory_ = memory;
   news_ = news;
   const double deviance = refit_with_this_noise();
-  weighs_all_ages_ = false;
+  memory_.reset();
   news_ = nullptr;
   return deviance;
 }
 
-double AxisFit::deviance_beside_lasting_noise() const {
+double AxisFit::deviance_beside_lasting_noise(Memory memory) const {
   AxisFit fit = *this;
-  fit.weighs_all_ages_ = true;
+  fit.memory_ = memory;
   return fit.tried().cost;
 }
 

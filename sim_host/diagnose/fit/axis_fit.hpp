@@ -10,6 +10,7 @@
 #include "sim_host/diagnose/fit/gap_model.hpp"
 #include "sim_host/diagnose/fit/gap_statistics.hpp"
 #include "sim_host/diagnose/fit/input_news.hpp"
+#include "sim_host/diagnose/fit/lasting_noise.hpp"
 #include "sim_host/diagnose/fit/linear_fit.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 
@@ -72,9 +73,9 @@ class AxisFit {
   double refit_with_this_noise();
   /// The same beside noise that lasts: parameters, sizes and their covariance; nothing else changes. Returns
   /// twice the negative logarithm of the likelihood there. `news`: of the input, weighed along.
-  double refit_beside_lasting_noise(const InputNews* news = nullptr);
+  double refit_beside_lasting_noise(Memory memory, const InputNews* news = nullptr);
   /// The same likelihood of the model as it stands.
-  [[nodiscard]] double deviance_beside_lasting_noise() const;
+  [[nodiscard]] double deviance_beside_lasting_noise(Memory memory) const;
 
   /// Twice the negative logarithm of the likelihood of the fitted model; infinite before.
   [[nodiscard]] double unlikeliness() const { return unlikeliness_; }
@@ -194,7 +195,7 @@ class AxisFit {
   Whitening whitening_;
   double least_noise_share_ = kUsualNoiseShare;
   double unlikeliness_ = kNone;
-  bool weighs_all_ages_ = false;     ///< of past innovations, beside noise that lasts
+  std::optional<Memory> memory_{};   ///< of past innovations, beside noise that lasts
   const InputNews* news_ = nullptr;  ///< that are weighed along
   int known_directions_ = 0;
   mutable std::shared_ptr<const GapStatistics> innovations_;  ///< of the model as it stands, if asked for

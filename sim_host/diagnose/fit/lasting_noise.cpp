@@ -12,29 +12,30 @@ namespace {
 template <class T>
 using PerSensor = std::array<T, kSensorsPerAxis>;
 
-/// Innovations of neighbouring ages share one weight, the older the more of them. The oldest are those of a
-/// ripple of 2 ms at 20 kHz: with 24 of them an inductance behind one came out as twice its value.
+/// Innovations of neighbouring ages share one weight, the older the more of them.
 struct Ages {
   Eigen::Index first;
   Eigen::Index last;
 };
-constexpr std::array<Ages, 13> kAges{{{1, 1},
-                                      {2, 2},
-                                      {3, 3},
-                                      {4, 4},
-                                      {5, 5},
-                                      {6, 6},
-                                      {7, 8},
-                                      {9, 11},
-                                      {12, 16},
-                                      {17, 24},
-                                      {25, 40},
-                                      {41, 72},
-                                      {73, 128}}};
-constexpr Eigen::Index kOldest = kAges.back().last;
+constexpr std::array<Ages, 9> kShortMemory{
+    {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 6}, {7, 8}, {9, 12}, {13, 16}, {17, 24}}};
+constexpr std::array<Ages, 13> kLongMemory{{{1, 1},
+                                            {2, 2},
+                                            {3, 3},
+                                            {4, 4},
+                                            {5, 5},
+                                            {6, 6},
+                                            {7, 8},
+                                            {9, 11},
+                                            {12, 16},
+                                            {17, 24},
+                                            {25, 40},
+                                            {41, 72},
+                                            {73, 128}}};
+constexpr Eigen::Index kOldest = kLongMemory.back().last;
 /// Of the past of both sensors, and of what was new in the input.
 constexpr auto kTaps = static_cast<Eigen::Index>(InputNews::kTaps);
-constexpr auto kWeights = static_cast<Eigen::Index>(kAges.size() * kSensorsPerAxis) + kTaps;
+constexpr auto kWeights = static_cast<Eigen::Index>(kLongMemory.size() * kSensorsPerAxis) + kTaps;
 constexpr Eigen::Index kPieceRows = 256;
 constexpr double kWeightStiffness = 1.0e-6;  // of the rows: keeps weights of columns that are nothing at zero
 
@@ -47,10 +48,10 @@ struct PieceOfSensor {
     news.setZero();
   }
 
-  void sum_up_past() {
-    for (std::size_t group = 0; group < kAges.size(); ++group) {
-      past[group] = raw.middleRows(kOldest - kAges[group].first, kPieceRows);
-      for (Eigen::Index age = kAges[group].first + 1; age <= kAges[group].last; ++age)
+  void sum_up_past(std::span<const Ages> ages) {
+    for (std::size_t group = 0; group < ages.size(); ++group) {
+      past[group] = raw.middleRows(kOldest - ages[group].first, kPieceRows);
+      for (Eigen::Index age = ages[group].first + 1; age <= ages[group].last; ++age)
         past[group] += raw.middleRows(kOldest - age, kPieceRows);
     }
   }
@@ -63,7 +64,7 @@ struct PieceOfSensor {
   }
 
   Eigen::MatrixXd raw;  ///< [columns | innovation]: the last ones of the piece before, then this one's
-  std::array<Eigen::MatrixXd, kAges.size()> past;  ///< of each group of ages
+  std::array<Eigen::MatrixXd, kLongMemory.size()> past;  ///< of each group of ages
   Eigen::Matrix<double, kPieceRows, kTaps> news;
   std::array<bool, kPieceRows> counts{};
 };
@@ -72,11 +73,12 @@ struct PieceOfSensor {
 /// of the past.
 class PastAndPresent {
  public:
-  PastAndPresent(Eigen::Index width, const InputNews* news, const PerSensor<Weights>& weights)
-      : weights_(weights),
+  PastAndPresent(Eigen::Index width, Memory memory, const InputNews* news, const PerSensor<Weights>& weights)
+      : ages_(memory == Memory::kShort ? std::span<const Ages>(kShortMemory) : kLongMemory),
+        weights_(weights),
         width_(width),
         news_(news),
-        batch_(kPieceRows, kWeights + width),
+        batch_(Eigen::MatrixXd::Zero(kPieceRows, kWeights + width)),
         sensors_{PieceOfSensor(width), PieceOfSensor(width)} {
     sums_.fill(Eigen::MatrixXd::Zero(kWeights + width, kWeights + width));
   }
@@ -103,7 +105,7 @@ class PastAndPresent {
   }
 
   void flush() {
-    for (PieceOfSensor& sensor : sensors_) sensor.sum_up_past();
+    for (PieceOfSensor& sensor : sensors_) sensor.sum_up_past(ages_);
     for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) add(sensor);
     for (PieceOfSensor& sensor : sensors_) sensor.move_on();
   }
@@ -135,11 +137,11 @@ class PastAndPresent {
     now = own.raw.bottomRows(kPieceRows);
     Eigen::Index next = 0;
     for (const PieceOfSensor* of : std::array<const PieceOfSensor*, 2>{&own, &sensors_[1 - sensor]})
-      for (const Eigen::MatrixXd& past : of->past) {
+      for (const Eigen::MatrixXd& past : std::span(of->past).first(ages_.size())) {
         batch_.col(next) = past.rightCols(1);
         now -= weights_[sensor](next++) * past;
       }
-    batch_.middleCols(next, kTaps) = own.news;
+    batch_.middleCols(kWeights - kTaps, kTaps) = own.news;
     now.rightCols(1) -= own.news * weights_[sensor].tail(kTaps);
     Eigen::Array<double, kPieceRows, 1> share;
     for (Eigen::Index i = 0; i < kPieceRows; ++i) {
@@ -152,6 +154,7 @@ class PastAndPresent {
     sums_[sensor].selfadjointView<Eigen::Lower>().rankUpdate(batch_.transpose());
   }
 
+  std::span<const Ages> ages_;
   PerSensor<Weights> weights_;
   Eigen::Index width_;
   const InputNews* news_;
@@ -168,13 +171,13 @@ class PastAndPresent {
 NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
                                    std::span<const Stretch> stretches, const GapModel& model,
                                    const Disturbances& disturbances, const Whitening& whitening,
-                                   const InputNews* news) {
+                                   Memory memory, const InputNews* news) {
   PerSensor<double> log_variance{};
   const auto deviation_of = [&](const Innovation& innovation) {
     return whitening[innovation.sensor].scale[innovation.in_contact ? 1 : 0] * std::sqrt(innovation.variance);
   };
   // Where only the weights are looked for, nothing but the innovations themselves is needed.
-  PastAndPresent innovations(1, news, {Weights::Zero(), Weights::Zero()});
+  PastAndPresent innovations(1, memory, news, {Weights::Zero(), Weights::Zero()});
   for (const auto& [first, last] : stretches) {
     innovations.begin_stretch(first);
     run_observer(axis, signals, model, first, last, [&](const Innovation& innovation) {
@@ -186,7 +189,7 @@ NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
   innovations.flush();
   Eigen::Index width = static_cast<Eigen::Index>(parameter_count(axis)) + 1;
   for (const gap::EffectForm& form : disturbances.forms) width += form.parts;
-  PastAndPresent all(width, news, {innovations.better_weights(0), innovations.better_weights(1)});
+  PastAndPresent all(width, memory, news, {innovations.better_weights(0), innovations.better_weights(1)});
   for (const auto& [first, last] : stretches) {
     all.begin_stretch(first);
     run_observer(axis, signals, model, disturbances, first, last,

@@ -77,8 +77,8 @@ bool is_datasheet_wrong(const AxisFit& nominal, double deviance) {
 bool is_datasheet_wrong_beside_lasting_noise(AxisFit nominal) {
   AxisFit datasheet = nominal;
   datasheet.change_model().machine = nominal.datasheet().machine;
-  const double wrong = datasheet.deviance_beside_lasting_noise();
-  const double right = nominal.refit_beside_lasting_noise();
+  const double wrong = datasheet.deviance_beside_lasting_noise(Memory::kLong);
+  const double right = nominal.refit_beside_lasting_noise(Memory::kLong);
   return is_datasheet_wrong(nominal, wrong - right);
 }
 
@@ -166,7 +166,7 @@ void tell_wandering_from_noise(double dropped, AxisOutcome& outcome) {
 void forget_lines_of_bent_values(AxisOutcome& outcome) {
   if (!outcome.diagnosis.found.empty() || outcome.leftover.lines.empty()) return;
   AxisFit unbent = outcome.diagnosis.fit;
-  unbent.refit_beside_lasting_noise();
+  unbent.refit_beside_lasting_noise(Memory::kLong);
   Leftover left = leftover_of(unbent, outcome.least_function());
   if (left.gain < outcome.leftover.gain) outcome.leftover = std::move(left);
 }
@@ -204,7 +204,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   drop_what_no_balance_shows(diagnosis);
   if (is_lasting) forget_lines_of_bent_values(outcome);
   keep_surprises(outcome);
-  if (is_lasting) diagnosis.fit.refit_beside_lasting_noise();
+  if (is_lasting) diagnosis.fit.refit_beside_lasting_noise(Memory::kLong);
   diagnosis.fit.attribute_load();
   diagnosis.nominal.attribute_load();
   outcome.is_datasheet_wrong =

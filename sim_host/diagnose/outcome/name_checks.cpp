@@ -122,7 +122,8 @@ std::optional<std::size_t> most_doubtful_beside_lasting_noise(AxisDiagnosis& dia
   for (std::size_t i = 0; i < count; ++i) fits.push_back(without(diagnosis, i));
   fits.push_back(diagnosis.fit);
   std::vector<double> deviance(count + 1);
-  in_parallel(count + 1, [&](std::size_t i) { deviance[i] = fits[i].refit_beside_lasting_noise(); });
+  in_parallel(count + 1,
+              [&](std::size_t i) { deviance[i] = fits[i].refit_beside_lasting_noise(Memory::kShort); });
   const auto rows = static_cast<double>(diagnosis.fit.signals().rows);
   std::optional<std::size_t> doubtful;
   for (std::size_t i = 0; i < count; ++i) {
@@ -198,7 +199,8 @@ bool is_lasting_noise(const AxisFit& fit, const Leftover& leftover) {
   for (const gap::EffectForm& form : leftover.functions)
     fits[1].change_model().effects.push_back({.form = form});
   std::array<double, 2> deviance{};
-  in_parallel(fits.size(), [&](std::size_t i) { deviance[i] = fits[i].refit_beside_lasting_noise(); });
+  in_parallel(fits.size(),
+              [&](std::size_t i) { deviance[i] = fits[i].refit_beside_lasting_noise(Memory::kShort); });
   const double left = deviance[0] - deviance[1];
   return keeps_too_little(left, left / taken, rows);
 }
@@ -210,14 +212,14 @@ bool drop_what_input_news_explain(AxisDiagnosis& diagnosis) {
   if (std::none_of(diagnosis.found.begin(), diagnosis.found.end(), is_doubted)) return false;
   const InputNews news = input_news(fit.axis(), fit.signals(), fit.model());
   AxisFit all = fit;
-  const double deviance = all.refit_beside_lasting_noise(&news);
+  const double deviance = all.refit_beside_lasting_noise(Memory::kShort, &news);
   std::vector<char> is_explained;
   for (std::size_t i = 0; i < diagnosis.found.size(); ++i) {
     const Finding& finding = diagnosis.found[i];
     is_explained.push_back(0);
     if (!is_doubted(finding)) continue;
     AxisFit other = without(diagnosis, i);
-    const double left = other.refit_beside_lasting_noise(&news) - deviance;
+    const double left = other.refit_beside_lasting_noise(Memory::kShort, &news) - deviance;
     if (left < kLeastNews * finding.kept * finding.evidence) is_explained.back() = 1;
   }
   if (std::count(is_explained.begin(), is_explained.end(), 1) == 0) return false;
