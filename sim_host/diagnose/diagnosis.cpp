@@ -42,7 +42,6 @@ namespace {
 using gap::Effect;
 
 constexpr double kVisible = 1.03;  // residual ratio of a balance that a faulty sensor disturbs
-constexpr double kIsGap = 1.3;     // residual ratio that is left where something has no name
 
 class Diagnosis {
  public:
@@ -345,7 +344,7 @@ class Diagnosis {
       is_strongest &= !is_here;
     }
     balance.is_significant |=
-        is_unexplained() && (shows_unnamed(outcome, balance) || balance.residual_ratio_after > kIsGap);
+        is_unexplained() && (shows_unnamed(outcome, balance) || share_kept(balance) > 0.0);
   }
 
   /// `expected`: the sensors that the machine is known to have.

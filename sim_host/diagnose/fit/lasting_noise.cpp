@@ -33,13 +33,19 @@ constexpr std::array<Ages, 13> kLongMemory{{{1, 1},
                                             {41, 72},
                                             {73, 128}}};
 constexpr Eigen::Index kOldest = kLongMemory.back().last;
-/// Of the past of both sensors, and of what was new in the input.
 constexpr auto kTaps = static_cast<Eigen::Index>(InputNews::kTaps);
-constexpr auto kWeights = static_cast<Eigen::Index>(kLongMemory.size() * kSensorsPerAxis) + kTaps;
 constexpr Eigen::Index kPieceRows = 256;
 constexpr double kWeightStiffness = 1.0e-6;  // of the rows: keeps weights of columns that are nothing at zero
 
-using Weights = Eigen::Matrix<double, kWeights, 1>;
+std::span<const Ages> ages_of(Memory memory) {
+  return memory == Memory::kShort ? std::span<const Ages>(kShortMemory) : kLongMemory;
+}
+
+/// Of the past of both sensors, and of what was new in the input.
+using Weights = Eigen::VectorXd;
+Eigen::Index weights_of(Memory memory) {
+  return static_cast<Eigen::Index>(ages_of(memory).size() * kSensorsPerAxis) + kTaps;
+}
 
 /// Rows of one sensor in a piece of the recording, zero where it has none, and sums of those before.
 struct PieceOfSensor {
@@ -74,13 +80,14 @@ struct PieceOfSensor {
 class PastAndPresent {
  public:
   PastAndPresent(Eigen::Index width, Memory memory, const InputNews* news, const PerSensor<Weights>& weights)
-      : ages_(memory == Memory::kShort ? std::span<const Ages>(kShortMemory) : kLongMemory),
+      : ages_(ages_of(memory)),
+        count_(weights_of(memory)),
         weights_(weights),
         width_(width),
         news_(news),
-        batch_(Eigen::MatrixXd::Zero(kPieceRows, kWeights + width)),
+        batch_(kPieceRows, count_ + width),
         sensors_{PieceOfSensor(width), PieceOfSensor(width)} {
-    sums_.fill(Eigen::MatrixXd::Zero(kWeights + width, kWeights + width));
+    sums_.fill(Eigen::MatrixXd::Zero(count_ + width, count_ + width));
   }
 
   void begin_stretch(std::size_t first) {
@@ -113,11 +120,11 @@ class PastAndPresent {
   [[nodiscard]] double rows(std::size_t sensor) const { return rows_[sensor]; }
   /// What one step more makes of the weights.
   [[nodiscard]] Weights better_weights(std::size_t sensor) const {
-    return weights_[sensor] + solved(sensor, sums_[sensor].bottomLeftCorner(1, kWeights).transpose());
+    return weights_[sensor] + solved(sensor, sums_[sensor].bottomLeftCorner(1, count_).transpose());
   }
   /// Without what the past predicts with these weights or any others.
   [[nodiscard]] Eigen::MatrixXd without_past(std::size_t sensor) const {
-    const auto across = sums_[sensor].bottomLeftCorner(width_, kWeights);
+    const auto across = sums_[sensor].bottomLeftCorner(width_, count_);
     const Eigen::MatrixXd all =
         sums_[sensor].bottomRightCorner(width_, width_).selfadjointView<Eigen::Lower>();
     return all - across * solved(sensor, across.transpose());
@@ -125,7 +132,7 @@ class PastAndPresent {
 
  private:
   [[nodiscard]] Eigen::MatrixXd solved(std::size_t sensor, const Eigen::MatrixXd& right) const {
-    Eigen::MatrixXd past = sums_[sensor].topLeftCorner(kWeights, kWeights);
+    Eigen::MatrixXd past = sums_[sensor].topLeftCorner(count_, count_);
     past.diagonal().array() += kWeightStiffness * std::max(rows_[sensor], 1.0);
     return past.selfadjointView<Eigen::Lower>().ldlt().solve(right);
   }
@@ -141,7 +148,7 @@ class PastAndPresent {
         batch_.col(next) = past.rightCols(1);
         now -= weights_[sensor](next++) * past;
       }
-    batch_.middleCols(kWeights - kTaps, kTaps) = own.news;
+    batch_.middleCols(next, kTaps) = own.news;
     now.rightCols(1) -= own.news * weights_[sensor].tail(kTaps);
     Eigen::Array<double, kPieceRows, 1> share;
     for (Eigen::Index i = 0; i < kPieceRows; ++i) {
@@ -155,6 +162,7 @@ class PastAndPresent {
   }
 
   std::span<const Ages> ages_;
+  Eigen::Index count_;  ///< of weights
   PerSensor<Weights> weights_;
   Eigen::Index width_;
   const InputNews* news_;
@@ -177,7 +185,8 @@ NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
     return whitening[innovation.sensor].scale[innovation.in_contact ? 1 : 0] * std::sqrt(innovation.variance);
   };
   // Where only the weights are looked for, nothing but the innovations themselves is needed.
-  PastAndPresent innovations(1, memory, news, {Weights::Zero(), Weights::Zero()});
+  const Weights none = Weights::Zero(weights_of(memory));
+  PastAndPresent innovations(1, memory, news, {none, none});
   for (const auto& [first, last] : stretches) {
     innovations.begin_stretch(first);
     run_observer(axis, signals, model, first, last, [&](const Innovation& innovation) {
@@ -199,7 +208,7 @@ NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
   NewParts parts{.moments = Eigen::MatrixXd::Zero(width, width)};
   for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor) {
     const double rows = all.rows(sensor);
-    if (!(rows > static_cast<double>(kWeights))) continue;
+    if (!(rows > static_cast<double>(none.size()))) continue;
     const Eigen::MatrixXd moments = all.without_past(sensor);
     const double left = moments(width - 1, width - 1) / rows;
     parts.moments += moments / left;

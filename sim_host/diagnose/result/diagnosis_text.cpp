@@ -100,8 +100,8 @@ std::string where_text(const DiagnosisResult& r) {
 std::string size_text(const EffectResult& e) {
   if (std::isnan(e.magnitude)) return "undetermined";
   const std::string_view unit = gap::info_of(e.effect).unit;
-  return fmt::format("{:.4g} +- {:.2g}{}{}", e.magnitude, e.standard_error, unit == "1" ? "" : " ",
-                     unit == "1" ? "" : unit);
+  const std::string size = fmt::format("{:.4g} +- {:.2g}", e.magnitude, e.standard_error);
+  return unit == "1" ? size : fmt::format("{} {}", size, unit);
 }
 
 std::string which_text(const DiagnosisResult& r) {

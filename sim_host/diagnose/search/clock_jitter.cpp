@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "lib/plant/dynamics.hpp"
 #include "sim_host/diagnose/fit/innovation_pass.hpp"
 #include "sim_host/diagnose/fit/repeated_logarithm.hpp"
+#include "sim_host/diagnose/fit/white_innovations.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -130,35 +130,11 @@ bool knows_rates(const AxisFit& fit) {
   return signals.has(Channel::kSpindleSpeed) && signals.has_electrics();
 }
 
-/// Innovations less what those before of the same sensor predict of them.
-class Unpredicted {
- public:
-  explicit Unpredicted(const Whitening& whitening) : whitening_(whitening) {}
-
-  double of(const Innovation& v, double value) {
-    const SensorWhitening& white = whitening_[v.sensor];
-    auto& past = past_[v.sensor];
-    const double deviation = white.scale[v.in_contact ? 1 : 0] * std::sqrt(v.variance);
-    double predicted = 0.0;
-    for (std::size_t i = 0; i < white.kLags.size() && white.kLags[i] <= past.size(); ++i)
-      predicted += white.memory[i] * past[past.size() - white.kLags[i]];
-    past.push_back(value / deviation);
-    return value - predicted * deviation;
-  }
-
- private:
-  const Whitening& whitening_;
-  std::array<std::vector<double>, kSensorsPerAxis> past_;
-};
-
-/// `whitening`: to look at what the past does not predict; none for all of it.
-Evaluation look_at(const AxisFit& fit, const GapModel& model, const Whitening* whitening = nullptr) {
+Evaluation look_at(const AxisFit& fit, const GapModel& model) {
   Evaluation evaluation{.residuals = std::vector<Residuals>(2 * kSensorsPerAxis),
                         .togetherness = std::vector<Togetherness>(kSensorsPerAxis),
                         .fit = {}};
   Rates rates(fit.axis(), fit.signals(), model);
-  std::optional<Unpredicted> unpredicted;
-  if (whitening != nullptr) unpredicted.emplace(*whitening);
   const double period_s = 1.0 / fit.signals().rate_hz;
   run_observer(fit.axis(), fit.signals(), model, 0, fit.signals().rows, [&](const Innovation& v) {
     if (v.row == 0) return;
@@ -166,8 +142,7 @@ Evaluation look_at(const AxisFit& fit, const GapModel& model, const Whitening* w
     const bool is_position = fit.axis() == Axis::kFeed && v.sensor == 0;
     const double of_interval = is_position ? period_s * std::fabs(rate) : 0.0;
     const double most = std::max(kLargestDeviation * std::sqrt(v.variance), of_interval);
-    double value = std::clamp(v.value, -most, most);
-    if (unpredicted) value = unpredicted->of(v, value);
+    const double value = std::clamp(v.value, -most, most);
     evaluation.residuals[2 * v.sensor + (v.in_contact ? 1 : 0)].add(value, rate, v.variance);
     evaluation.togetherness[v.sensor].add(value, rate, v.variance);
   });
@@ -338,31 +313,50 @@ bool is_shared_by_law(double shared, const Jitter& jitter, double period_s, doub
   return shared > most_shared || shared < least_shared;
 }
 
-/// The sensor that shakes most.
-Shaking strongest(const Judged& judged) {
-  Shaking shaking;
-  const double jitter_s2 = judged.jitter.size_s * judged.jitter.size_s;
-  for (std::size_t sensor = 0; sensor < judged.evaluation.togetherness.size(); ++sensor) {
-    const double evidence = evidence_of(judged.evaluation, sensor, jitter_s2);
-    if (!(evidence > shaking.of_law)) continue;
-    shaking.of_law = evidence;
-    shaking.fit = judged.evaluation.fit[sensor];
-    shaking.sensor = sensor % kSensorsPerAxis;
+/// A sensor, and how much it says that something shakes.
+struct Witness {
+  double evidence = 0.0;
+  std::size_t fit = 0;
+  std::size_t sensor = 0;  ///< of the axis
+  double variance = 1.0;   ///< that the observer expects, on average
+};
+
+/// The one that shakes most.
+Witness strongest(const Judged& judged) {
+  Witness witness;
+  const auto& [evaluation, jitter] = judged;
+  for (std::size_t sensor = 0; sensor < evaluation.togetherness.size(); ++sensor) {
+    const double evidence = evidence_of(evaluation, sensor, jitter.size_s * jitter.size_s);
+    if (!(evidence > witness.evidence)) continue;
+    const Residuals& air = evaluation.residuals[2 * sensor];
+    const Residuals& contact = evaluation.residuals[2 * sensor + 1];
+    const double variance = std::exp((air.log_variance + contact.log_variance) / (air.count + contact.count));
+    witness = {evidence, evaluation.fit[sensor], sensor % kSensorsPerAxis, variance};
   }
-  return shaking;
+  return witness;
 }
 
 /// Is it still there in what its own past does not predict? In closed loop noise that lasts makes the rates
 /// that it goes with, and is predicted; laws and clocks are where rates are.
-bool is_unpredicted(std::span<const AxisFit* const> fits, const Shaking& shaking, double period_s) {
+bool is_unpredicted(const AxisFit& fit, const Witness& witness, double period_s) {
   constexpr double kLeastShare = 0.1;
-  const AxisFit& fit = *fits[shaking.fit];
-  const Whitening whitening = whitening_of(fit.innovations());
-  Evaluation all = look_at(fit, fit.model(), &whitening);
-  const auto first = all.residuals.begin() + static_cast<std::ptrdiff_t>(2 * shaking.sensor);
-  const Evaluation one{.residuals = {first, first + 2}, .togetherness = {}, .fit = {}};
-  const double evidence = unlikeliness(one, 0.0) - best_jitter(one, period_s).unlikeliness;
-  return evidence > kLeastShare * shaking.of_law;
+  const GapStatistics& rest = fit.innovations();
+  const std::size_t sensor = witness.sensor;
+  const SensorWhitening whitening = whitening_of(rest)[sensor];
+  const std::vector<float> white = white_innovations(rest, sensor, whitening);
+  Evaluation evaluation{.residuals = std::vector<Residuals>(2), .togetherness = {}, .fit = {}};
+  Rates rates(fit.axis(), fit.signals(), fit.model());
+  for (std::size_t i = 0; i < white.size(); ++i) {
+    if (rest.row[sensor][i] == 0) continue;
+    const bool in_contact = rest.in_contact[sensor][i];
+    const double deviation =
+        whitening.scale[in_contact ? 1 : 0] * std::sqrt(whitening.left * witness.variance);
+    const double value = std::clamp(static_cast<double>(white[i]), -kLargestDeviation, kLargestDeviation);
+    evaluation.residuals[in_contact ? 1 : 0].add(deviation * value, rates.at(rest.row[sensor][i])[sensor],
+                                                 witness.variance);
+  }
+  const double evidence = unlikeliness(evaluation, 0.0) - best_jitter(evaluation, period_s).unlikeliness;
+  return evidence > kLeastShare * witness.evidence;
 }
 
 }  // namespace
@@ -375,9 +369,11 @@ Shaking find_shaking(std::span<const AxisFit* const> fits) {
   const double evidence = unlikeliness(evaluation, 0.0) - best.unlikeliness;
   const Judged first{std::move(evaluation), best};
   if (!(evidence > kLeastEvidence)) return {};
-  const Shaking most = strongest(first);
-  if (!is_unpredicted(fits, most, period_s)) return {};
-  const Shaking of_law = exceeds_stated_noise(first) ? most : Shaking{};
+  const Witness witness = strongest(first);
+  if (!is_unpredicted(*fits[witness.fit], witness, period_s)) return {};
+  Shaking of_law;
+  if (exceeds_stated_noise(first))
+    of_law = {.of_law = witness.evidence, .fit = witness.fit, .sensor = witness.sensor};
   if (is_shared_by_law(doubt_about(first).shared, best, period_s, kLeastSharedAtFirst)) return of_law;
   const Judged last = with_its_noise(fits, first, period_s);
   const Doubt doubt = doubt_about(last);
