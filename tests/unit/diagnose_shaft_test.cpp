@@ -18,9 +18,10 @@ gap::AppliedEffect shaft(std::uint8_t damping, double cut) {
 
 class Shafts : public testing::TestWithParam<gap::AppliedEffect> {};
 
-// The stiffness to 5 %: where hardly anything damps the shaft the search ends at a damping beside the right
-// one. With the cut at the motor's end and a damping ratio of 0.05 whatever it is, friction of a tenth per
-// degree of the tool stood beside the shaft at 96 %, and an inertia 4 % off.
+// Six seeds of each are within 0.4 % of the stiffness and 0.08 % of the inertia. With a resonance that was
+// half a percent off the stiffness was 3 % off and the inertia 0.8 %, at ten standard errors. With the cut at
+// the motor's end and a damping ratio of 0.05 whatever it is, friction of a tenth per degree of the tool
+// stood beside the shaft at 96 %, and an inertia 4 % off.
 TEST_P(Shafts, AreOneCauseAndLeaveTheParametersAlone) {
   const auto result = diagnosed(record({.effects = {GetParam()}, .duration_s = 4.0}), datasheet(0.15));
   EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
@@ -28,11 +29,11 @@ TEST_P(Shafts, AreOneCauseAndLeaveTheParametersAlone) {
   EXPECT_EQ(result.which.front().effect, Effect::kShaftCompliance);
   const auto& machine = reference_machine();
   const double stiffness = gap::size_of(GetParam(), gap::EffectScales<double>(machine, {}));
-  EXPECT_NEAR(result.which.front().magnitude, stiffness, 0.05 * stiffness);
+  EXPECT_NEAR(result.which.front().magnitude, stiffness, 0.01 * stiffness);
   const auto inertia = std::find_if(result.parameters.begin(), result.parameters.end(),
                                     [](const auto& p) { return p.name == "inertia_kgm2"; });
   ASSERT_NE(inertia, result.parameters.end());
-  EXPECT_NEAR(inertia->refit, machine.spindle.inertia_kgm2, 0.005 * machine.spindle.inertia_kgm2);
+  EXPECT_NEAR(inertia->refit, machine.spindle.inertia_kgm2, 0.002 * machine.spindle.inertia_kgm2);
 }
 
 // A resonance that hardly anything damps is seen near its frequency alone: between those that are tried it
@@ -46,6 +47,8 @@ TEST(LightlyDampedShaft, IsFoundBetweenTheFrequenciesThatAreTried) {
     EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result) << " at " << frequency_hz;
     ASSERT_EQ(result.which.size(), 1U) << said(result) << " at " << frequency_hz;
     EXPECT_EQ(result.which.front().effect, Effect::kShaftCompliance);
+    const double stiffness = gap::size_of(light, gap::EffectScales<double>(reference_machine(), {}));
+    EXPECT_NEAR(result.which.front().magnitude, stiffness, 0.01 * stiffness);
   }
 }
 
