@@ -15,6 +15,7 @@ struct Leftover {
   std::vector<gap::EffectForm> functions{};  ///< that take it, the most important one first
   std::vector<LeftLine> lines{};             ///< none where functions take more
   bool is_lines_only = false;                ///< the functions merely stand in for the lines
+  double ringing_hz = 0.0;                   ///< of the resonance that takes most; 0: none does
 };
 
 /// Smooth functions of what is measured, and lines in the spectrum over time and over the spindle's angle.

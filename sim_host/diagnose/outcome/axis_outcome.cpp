@@ -11,6 +11,7 @@
 #include "sim_host/diagnose/fit/standstill.hpp"
 #include "sim_host/diagnose/fit/surprises.hpp"
 #include "sim_host/diagnose/fit/white_innovations.hpp"
+#include "sim_host/diagnose/leftover/ringing.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/name_checks.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -178,6 +179,17 @@ void keep_surprises(AxisOutcome& outcome) {
     outcome.keep_without_name(surprises.deviance);
 }
 
+/// What rings behind the motion is random forces to an observer: nothing is left, and nobody sees a gap. Of
+/// the spindle, whose shaft may have a name, it tells less: a supply's ripple in closed loop left 242 there.
+void keep_ringing(AxisOutcome& outcome) {
+  if (outcome.diagnosis.fit.axis() != Axis::kFeed) return;
+  const Ringing ringing = ringing_of(outcome.diagnosis.fit);
+  if (!(ringing.deviance > std::max(kLeastUnnamed, outcome.leftover.gain))) return;
+  outcome.leftover.gain = ringing.deviance;
+  outcome.leftover.ringing_hz = ringing.frequency_hz;
+  outcome.leftover.lines.clear();
+}
+
 /// Lags that the input's news explain as well, unless structure is left without them: noise has none.
 void drop_lags_of_news(AxisOutcome& outcome) {
   AxisDiagnosis before = outcome.diagnosis;
@@ -204,6 +216,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   drop_what_no_balance_shows(diagnosis);
   if (is_lasting) forget_lines_of_bent_values(outcome);
   keep_surprises(outcome);
+  keep_ringing(outcome);
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise(Memory::kLong);
   diagnosis.fit.attribute_load();
   diagnosis.nominal.attribute_load();

@@ -157,6 +157,9 @@ std::vector<FollowedSignal> followed_by_unnamed(const AxisOutcome& outcome) {
   std::vector<FollowedSignal> followed;
   if (!(outcome.unnamed_deviance() > 0.0) || outcome.leftover.is_lines_only) return followed;
   const AxisFit& fit = outcome.diagnosis.fit;
+  if (outcome.leftover.ringing_hz > 0.0)
+    followed.push_back({gap::Balance::kFeedForce, fmt::format("a resonance near {:.0f} Hz behind the motion",
+                                                              outcome.leftover.ringing_hz)});
   const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
   for (const gap::EffectForm& form : outcome.leftover.functions) {
     FollowedSignal one{balance_of(form, fit.signals()), as_known(words_for(form, scales), fit.signals())};

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostEffects = 4;
 // Standard error over size. What is worth its evidence is known to a seventh; a size that is not known at all
 // let the parameters settle elsewhere, and that was its worth.
-constexpr double kUnsureSize = 0.5;
+constexpr double kUnknownSize = 0.5;
 // Beside an effect that the machine file states, with the shape that a recording has given it.
 constexpr double kLeastShareOfKnown = 0.02;
 
@@ -221,7 +221,7 @@ class DiagnosisSearch {
       const AxisFit& without = all_without[i];
       if (without.model().effects.empty()) diagnosis_.nominal = without;
       const double evidence = without.unlikeliness() - fit_.unlikeliness();
-      const bool is_known = fit_.relative_error_of(diagnosis_.found[i].effect.form.effect) < kUnsureSize;
+      const bool is_known = fit_.relative_error_of(diagnosis_.found[i].effect.form.effect) < kUnknownSize;
       diagnosis_.found[i].evidence = std::isfinite(evidence) && is_known ? evidence : 0.0;
     }
   }

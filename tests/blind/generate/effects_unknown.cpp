@@ -9,7 +9,7 @@ using Made = std::unique_ptr<Effect>;
 
 // An overhanging part of the feed axis, shaken by the unbalance of the spindle.
 Made feed_resonance(Random& random, const Machine& m) {
-  const double natural = 6.2832 * random.uniform(25.0, 60.0), reference = m.working_speed();
+  const double natural = 6.2832 * random.uniform(12.0, 60.0), reference = m.working_speed();
   return dynamic<2>(
       [=](const Point& p, double, const double* z, double* dz) {
         const double shake =
