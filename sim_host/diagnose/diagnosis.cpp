@@ -89,6 +89,8 @@ class Diagnosis {
   }
 
   [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }
+  [[nodiscard]] bool names_effects() const { return result_.verdict == Verdict::kEffect; }
+  [[nodiscard]] bool has_ringing() const { return std::ranges::any_of(outcomes_, rings); }
 
   /// What was left of the recording after dead sensors were, and what there is to say about it.
   [[nodiscard]] const RecordingSignals& signals() const { return signals_; }
@@ -389,7 +391,9 @@ DiagnosisResult diagnose(const RecordingSignals& signals, const MachineDescripti
   quietly.on_progress = [](double) {};
   Diagnosis of_slow_motion(std::move(*slow), signals, machine, quietly);
   of_slow_motion.run();
-  if (of_slow_motion.is_unexplained()) return diagnosis.take_result(with_effects);
+  // What rings is not gone because it cannot be seen there.
+  if (of_slow_motion.is_unexplained() || (diagnosis.has_ringing() && !of_slow_motion.names_effects()))
+    return diagnosis.take_result(with_effects);
   DiagnosisResult result = of_slow_motion.take_result(with_effects);
   result.notices = diagnosis.notices();
   return result;

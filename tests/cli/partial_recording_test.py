@@ -15,6 +15,15 @@ class PartialRecording(Diagnose):
         evaluated = {balance["balance"]: balance["evaluated"] for balance in result["where"]}
         self.assertEqual(evaluated, {"feed_force": True, "spindle_torque": False, "armature_voltage": False})
 
+    def test_a_cut_that_nobody_has_recorded_is_warned_of(self):
+        # 16 N of it, with the position alone, were process noise: "no_gap", without a word.
+        self.simulate(duration=2)
+        for contact in ([], ["contact"]):
+            self.keep_columns("feed_force_n", "feed_position_m", *contact)
+            done = self.must_do("diagnose", "part.csv", "--bootstrap", 10)
+            is_warned = "contact is not recorded: the tool is taken to be in the air" in done.stderr
+            self.assertEqual(is_warned, not contact)
+
     def test_a_spindle_without_a_current_sensor(self):
         self.simulate()
         self.keep_columns(*SPINDLE, "contact", "chip_load_mm", "tool_temperature_degc")

@@ -17,7 +17,7 @@ inline double shaken_m(double time_s) {
 /// From place to place at 0.1 m/s, which sets everything swinging.
 inline double moved_m(double time_s) {
   constexpr double kMoveS = 0.37;
-  constexpr double kTurns = 0.618;  // of a turn between places, which never come back
+  constexpr double kTurns = 0.6180339887;  // irrational: no place comes back
   const auto place_m = [](double move) {
     return 0.015 * std::sin(2.0 * std::numbers::pi * kTurns * move * move);
   };

@@ -6,32 +6,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim_host/diagnose/fit/memory_ages.hpp"
+
 namespace morepro::host {
 namespace {
 
 template <class T>
 using PerSensor = std::array<T, kSensorsPerAxis>;
 
-/// Innovations of neighbouring ages share one weight, the older the more of them.
-struct Ages {
-  Eigen::Index first;
-  Eigen::Index last;
-};
-constexpr std::array<Ages, 9> kShortMemory{
-    {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 6}, {7, 8}, {9, 12}, {13, 16}, {17, 24}}};
-constexpr std::array<Ages, 13> kLongMemory{{{1, 1},
-                                            {2, 2},
-                                            {3, 3},
-                                            {4, 4},
-                                            {5, 5},
-                                            {6, 6},
-                                            {7, 8},
-                                            {9, 11},
-                                            {12, 16},
-                                            {17, 24},
-                                            {25, 40},
-                                            {41, 72},
-                                            {73, 128}}};
 constexpr Eigen::Index kOldest = kLongMemory.back().last;
 constexpr auto kTaps = static_cast<Eigen::Index>(InputNews::kTaps);
 constexpr Eigen::Index kPieceRows = 256;
@@ -181,16 +163,13 @@ NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
                                    const Disturbances& disturbances, const Whitening& whitening,
                                    Memory memory, const InputNews* news) {
   PerSensor<double> log_variance{};
-  const auto deviation_of = [&](const Innovation& innovation) {
-    return whitening[innovation.sensor].scale[innovation.in_contact ? 1 : 0] * std::sqrt(innovation.variance);
-  };
   // Where only the weights are looked for, nothing but the innovations themselves is needed.
   const Weights none = Weights::Zero(weights_of(memory));
   PastAndPresent innovations(1, memory, news, {none, none});
   for (const auto& [first, last] : stretches) {
     innovations.begin_stretch(first);
     run_observer(axis, signals, model, first, last, [&](const Innovation& innovation) {
-      const double deviation = deviation_of(innovation);
+      const double deviation = deviation_of(whitening, innovation);
       log_variance[innovation.sensor] += 2.0 * std::log(deviation);
       innovations.take(innovation, 1.0 / deviation);
     });
@@ -201,8 +180,9 @@ NewParts look_beside_lasting_noise(Axis axis, const RecordingSignals& signals,
   PastAndPresent all(width, memory, news, {innovations.better_weights(0), innovations.better_weights(1)});
   for (const auto& [first, last] : stretches) {
     all.begin_stretch(first);
-    run_observer(axis, signals, model, disturbances, first, last,
-                 [&](const Innovation& innovation) { all.take(innovation, 1.0 / deviation_of(innovation)); });
+    run_observer(axis, signals, model, disturbances, first, last, [&](const Innovation& innovation) {
+      all.take(innovation, 1.0 / deviation_of(whitening, innovation));
+    });
   }
   all.flush();
   NewParts parts{.moments = Eigen::MatrixXd::Zero(width, width)};

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -18,6 +19,11 @@ struct SensorWhitening {
   double left = 1.0;                          ///< share of their variance that the memory does not predict
 };
 using Whitening = std::array<SensorWhitening, kSensorsPerAxis>;
+
+/// Standard deviation of an innovation: what the observer expects, as the whitening has corrected it.
+inline double deviation_of(const Whitening& whitening, const Innovation& innovation) {
+  return whitening[innovation.sensor].scale[innovation.in_contact ? 1 : 0] * std::sqrt(innovation.variance);
+}
 
 /// Estimates the whitening of one sensor from its normalised innovations (value over the observer's standard
 /// deviation) in the order of time. Robust against a few outliers. Too few of them give no whitening.

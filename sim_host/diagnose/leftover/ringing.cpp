@@ -6,11 +6,13 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numbers>
+#include <span>
 #include <vector>
 
-#include "sim_host/diagnose/fit/size_columns.hpp"
+#include "sim_host/diagnose/fit/gap_statistics.hpp"
+#include "sim_host/diagnose/fit/memory_ages.hpp"
 #include "sim_host/diagnose/fit/whitening.hpp"
+#include "sim_host/diagnose/leftover/driven_states.hpp"
 
 namespace morepro::host {
 namespace {
@@ -20,31 +22,9 @@ constexpr double kLowestHz = 5.0;
 constexpr double kHighestHz = 120.0;
 constexpr double kHighestShare = 0.15;  // of the means' rate
 constexpr double kFrequencyStep = 1.2;
-constexpr double kDampingRatio = 0.05;  // broad enough for every frequency between the steps
-constexpr Eigen::Index kLags = 2;
-constexpr double kShortestLagS = 0.5e-3;  // the other one is twice as long
 constexpr Eigen::Index kBatchRows = 256;
-constexpr double kHuber = 3.0;  // standard deviations
-
-struct Ages {
-  std::size_t first;
-  std::size_t last;
-};
-constexpr std::array<Ages, 13> kPast{{{1, 1},
-                                      {2, 2},
-                                      {3, 3},
-                                      {4, 4},
-                                      {5, 5},
-                                      {6, 6},
-                                      {7, 8},
-                                      {9, 11},
-                                      {12, 16},
-                                      {17, 24},
-                                      {25, 40},
-                                      {41, 72},
-                                      {73, 128}}};
-constexpr std::size_t kOldest = kPast.back().last;
-constexpr auto kPastColumns = static_cast<Eigen::Index>(kSensorsPerAxis * kPast.size());
+constexpr auto kOldest = static_cast<std::size_t>(kLongMemory.back().last);  // means
+constexpr auto kPastColumns = static_cast<Eigen::Index>(kSensorsPerAxis * kLongMemory.size());
 
 std::vector<double> frequencies_hz(double means_per_s) {
   std::vector<double> frequencies;
@@ -53,71 +33,27 @@ std::vector<double> frequencies_hz(double means_per_s) {
   return frequencies;
 }
 
-/// Lags, and resonances of every frequency, set in motion by the changes of one channel.
-class DrivenStates {
- public:
-  DrivenStates(const std::vector<float>& values, std::size_t rows_per_mean,
-               std::span<const double> frequencies_hz, double step_s)
-      : values_(&values),
-        rows_per_mean_(rows_per_mean),
-        state_(Eigen::ArrayXcd::Zero(kLags + static_cast<Eigen::Index>(frequencies_hz.size()))),
-        factor_(state_.size()) {
-    for (Eigen::Index i = 0; i < kLags; ++i)
-      factor_(i) = std::exp(-step_s / (kShortestLagS * std::exp2(static_cast<double>(i))));
-    for (Eigen::Index i = kLags; i < state_.size(); ++i) {
-      const double rate = 2.0 * std::numbers::pi * frequencies_hz[static_cast<std::size_t>(i - kLags)];
-      const double damped = rate * std::sqrt(1.0 - kDampingRatio * kDampingRatio);
-      factor_(i) = std::exp(std::complex<double>(-kDampingRatio * rate, damped) * step_s);
-    }
-  }
-
-  /// Up to the row before the mean begins.
-  void swing_to(std::size_t mean) {
-    for (const std::size_t last = mean * rows_per_mean_; row_ < last; ++row_) {
-      const float value = (*values_)[row_];
-      if (std::isfinite(value)) now_ = static_cast<double>(value);
-    }
-    state_ *= factor_;
-    if (mean > 1) state_ += now_ - before_;
-    before_ = now_;
-  }
-  [[nodiscard]] auto lags() const { return state_.head(kLags).real(); }
-  [[nodiscard]] auto resonances() const { return state_.tail(state_.size() - kLags); }
-
- private:
-  const std::vector<float>* values_;
-  std::size_t rows_per_mean_;
-  Eigen::ArrayXcd state_;
-  Eigen::ArrayXcd factor_;
-  std::size_t row_ = 0;
-  double now_ = 0.0;
-  double before_ = 0.0;
-};
-
 /// What may set something swinging: what drives the feed, and its motion.
 std::array<Channel, 2> drives_of(const RecordingSignals& signals) {
   return {Channel::kFeedForce,
           signals.has(Channel::kFeedSpeed) ? Channel::kFeedSpeed : Channel::kFeedPosition};
 }
 
-/// Moments of each sensor's mean innovations: [past ones | columns of the model | lags | resonances | the
+/// Moments of each sensor's mean innovations: [past ones | lags | resonances | the
 /// mean]. A controller that knows more of the state than the sensors tells of it by its force, which lags
 /// take: they do not ring.
 class RingingMoments {
  public:
-  RingingMoments(const AxisFit& fit, const Disturbances& of_effects)
+  explicit RingingMoments(const AxisFit& fit)
       : fit_(&fit),
         rows_per_mean_(
             std::max<std::size_t>(1, static_cast<std::size_t>(fit.signals().rate_hz / kMeansPerS))),
-        frequencies_(frequencies_hz(means_per_s())),
-        model_columns_(static_cast<Eigen::Index>(parameter_count(fit.axis()))) {
-    for (const gap::EffectForm& form : of_effects.forms) model_columns_ += form.parts;
+        frequencies_(frequencies_hz(means_per_s())) {
     for (const Channel channel : drives_of(fit.signals()))
-      drives_.emplace_back(fit.signals().value[index_of(channel)], rows_per_mean_, frequencies_,
-                           1.0 / means_per_s());
+      drives_.emplace_back(fit.signals().value[index_of(channel)], fit.signals().rate_hz, rows_per_mean_,
+                           frequencies_);
     const Eigen::Index width = explained_columns() + resonance_columns() + 1;
     for (Sensor& sensor : sensors_) {
-      sensor.sum = Eigen::VectorXd::Zero(model_columns_ + 1);
       sensor.batch = Eigen::MatrixXd::Zero(kBatchRows, width);
       sensor.moments = Eigen::MatrixXd::Zero(width, width);
     }
@@ -125,14 +61,9 @@ class RingingMoments {
 
   void take(const Innovation& innovation) {
     while (innovation.row >= (mean_ + 1) * rows_per_mean_) finish_mean();
-    const SensorWhitening& whitening = fit_->whitening()[innovation.sensor];
-    const double weight =
-        1.0 / (whitening.scale[innovation.in_contact ? 1 : 0] * std::sqrt(innovation.variance));
+    const double weight = 1.0 / deviation_of(fit_->whitening(), innovation);
     Sensor& sensor = sensors_[innovation.sensor];
-    const auto columns = static_cast<Eigen::Index>(innovation.columns.size());
-    sensor.sum.head(columns) +=
-        weight * Eigen::Map<const Eigen::VectorXd>(innovation.columns.data(), columns);
-    sensor.sum(model_columns_) += weight * innovation.value;
+    sensor.sum += weight * innovation.value;
     sensor.count += 1.0;
   }
 
@@ -160,13 +91,14 @@ class RingingMoments {
     return taken;
   }
 
+  [[nodiscard]] double rows() const { return std::max(sensors_[0].rows, sensors_[1].rows); }
   [[nodiscard]] double frequency_hz(Eigen::Index resonance) const {
     return frequencies_[static_cast<std::size_t>(resonance) % frequencies_.size()];
   }
 
  private:
   struct Sensor {
-    Eigen::VectorXd sum;  ///< of [columns | innovation] since the mean began
+    double sum = 0.0;  ///< since the mean began
     double count = 0.0;
     std::vector<float> means{};
     Eigen::MatrixXd batch;
@@ -179,53 +111,53 @@ class RingingMoments {
     return fit_->signals().rate_hz / static_cast<double>(rows_per_mean_);
   }
   [[nodiscard]] Eigen::Index explained_columns() const {
-    return kPastColumns + model_columns_ + static_cast<Eigen::Index>(drives_.size()) * kLags;
+    return kPastColumns + static_cast<Eigen::Index>(drives_.size()) * DrivenStates::kLags;
   }
   [[nodiscard]] Eigen::Index resonance_columns() const {
     return static_cast<Eigen::Index>(2 * drives_.size() * frequencies_.size());
   }
 
   void finish_mean() {
-    for (DrivenStates& drive : drives_) drive.swing_to(mean_);
+    for (DrivenStates& drive : drives_) drive.move_to(mean_);
+    // Not before what the state was at the beginning has been forgotten.
     if (mean_ >= 2 * kOldest)
       for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor)
         if (sensors_[sensor].count > 0.0) add_row(sensor);
     for (Sensor& sensor : sensors_) {
-      sensor.means.push_back(sensor.count > 0.0 ? static_cast<float>(mean_of(sensor)(model_columns_)) : 0.0F);
-      sensor.sum.setZero();
+      sensor.means.push_back(sensor.count > 0.0 ? static_cast<float>(mean_of(sensor)) : 0.0F);
+      sensor.sum = 0.0;
       sensor.count = 0.0;
     }
     ++mean_;
   }
 
-  static Eigen::VectorXd mean_of(const Sensor& sensor) { return sensor.sum / std::sqrt(sensor.count); }
+  /// Of the variance of one innovation.
+  static double mean_of(const Sensor& sensor) { return sensor.sum / std::sqrt(sensor.count); }
 
   void add_row(std::size_t index) {
     Sensor& sensor = sensors_[index];
     auto row = sensor.batch.row(sensor.filled);
     Eigen::Index next = 0;
     for (const Sensor* of : {&sensor, &sensors_[1 - index]})
-      for (const auto& [first, last] : kPast) {
+      for (const auto& [first, last] : kLongMemory) {
         double sum = 0.0;
-        for (std::size_t age = first; age <= last; ++age) sum += static_cast<double>(of->means[mean_ - age]);
+        for (Eigen::Index age = first; age <= last; ++age)
+          sum += static_cast<double>(of->means[mean_ - static_cast<std::size_t>(age)]);
         row(next++) = sum;
       }
-    const Eigen::VectorXd mean = mean_of(sensor);
-    row.segment(next, model_columns_) = mean.head(model_columns_);
-    next += model_columns_;
     for (const DrivenStates& drive : drives_) {
-      row.segment(next, kLags) = drive.lags().matrix();
-      next += kLags;
+      row.segment(next, DrivenStates::kLags) = drive.lags().matrix();
+      next += DrivenStates::kLags;
     }
     for (const DrivenStates& drive : drives_)
       for (const std::complex<double>& swing : drive.resonances()) {
         row(next++) = swing.real();
         row(next++) = swing.imag();
       }
-    row(next) = mean(model_columns_);
+    row(next) = mean_of(sensor);
     row *= std::sqrt(std::min(1.0, kHuber / std::max(std::fabs(row(next)), 1.0e-9)));
-    sensor.rows += 1.0;
     if (++sensor.filled < kBatchRows) return;
+    sensor.rows += static_cast<double>(kBatchRows);
     sensor.moments.selfadjointView<Eigen::Lower>().rankUpdate(sensor.batch.transpose());
     sensor.filled = 0;
   }
@@ -233,7 +165,6 @@ class RingingMoments {
   const AxisFit* fit_;
   std::size_t rows_per_mean_;
   std::vector<double> frequencies_;
-  Eigen::Index model_columns_;
   std::vector<DrivenStates> drives_{};
   std::array<Sensor, kSensorsPerAxis> sensors_{};
   std::size_t mean_ = 0;
@@ -242,15 +173,14 @@ class RingingMoments {
 }  // namespace
 
 Ringing ringing_of(const AxisFit& fit) {
-  const SizeColumns sizes(fit.model().effects);
-  RingingMoments moments(fit, sizes.disturbances());
-  run_observer(fit.axis(), fit.signals(), fit.model(), sizes.disturbances(), 0, fit.signals().rows,
+  RingingMoments moments(fit);
+  run_observer(fit.axis(), fit.signals(), fit.model(), 0, fit.signals().rows,
                [&moments](const Innovation& innovation) { moments.take(innovation); });
   const Eigen::VectorXd taken = moments.deviances(0) + moments.deviances(1);
   if (taken.size() == 0) return {};
   Eigen::Index most = 0;
   const double deviance = taken.maxCoeff(&most);
-  return {deviance, moments.frequency_hz(most)};
+  return {deviance, moments.rows(), moments.frequency_hz(most)};
 }
 
 }  // namespace morepro::host

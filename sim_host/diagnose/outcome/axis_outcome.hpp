@@ -40,7 +40,7 @@ struct AxisOutcome {
   [[nodiscard]] double least_unnamed() const { return std::max(kLeastUnnamed, noise_evidence); }
   /// Deviance of what has no name; 0 where chance may do as much.
   [[nodiscard]] double unnamed_deviance() const {
-    const bool is_beside_noise = leftover.ringing_hz > 0.0;
+    const bool is_beside_noise = leftover.ringing_hz > 0.0;  // which it was weighed against already
     return is_beside_noise || leftover.gain >= least_unnamed() ? leftover.gain : 0.0;
   }
   /// As much of it as sits in one balance of the axis.
@@ -50,6 +50,9 @@ struct AxisOutcome {
   /// Deviance that all names together take.
   [[nodiscard]] double named_deviance() const { return diagnosis.named_deviance(); }
 };
+
+/// Does what has no name ring behind the motion?
+inline bool rings(const AxisOutcome& outcome) { return outcome.leftover.ringing_hz > 0.0; }
 
 /// Nothing where no row of the axis can be used.
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,

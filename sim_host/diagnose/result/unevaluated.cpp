@@ -88,6 +88,11 @@ std::vector<std::string> untested_effects(const RecordingSignals& signals,
   };
   const auto column = [](Channel channel) { return kChannels[index_of(channel)].column; };
   std::vector<std::string> untested;
+  if (machine.has_contact && !signals.has(Channel::kContact) &&
+      (is_evaluated(gap::Balance::kSpindleTorque) || is_evaluated(gap::Balance::kFeedForce)))
+    untested.push_back(fmt::format(
+        "{} is not recorded: the tool is taken to be in the air, and a cut would pass for a gap or for noise",
+        column(Channel::kContact)));
   if (signals.has_been_in_contact() && !signals.has(Channel::kToolTemperature) &&
       is_evaluated(gap::Balance::kSpindleTorque))
     untested.push_back(fmt::format("{} is not recorded: {} is not looked for",

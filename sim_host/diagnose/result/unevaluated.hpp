@@ -27,7 +27,8 @@ bool is_evaluable(Axis axis, const RecordingSignals& signals, const MachineDescr
 void add_unevaluated(const RecordingSignals& signals, const MachineDescription& machine,
                      std::vector<BalanceResult>& where);
 
-/// Which effects cannot be looked for although their balance is evaluated, and why: a sentence each.
+/// What cannot be looked for, or told from a gap, although its balance is evaluated, and why: a sentence
+/// each.
 std::vector<std::string> untested_effects(const RecordingSignals& signals, const MachineDescription& machine);
 
 }  // namespace morepro::host

@@ -93,7 +93,7 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
   if (candidate.form.effect == gap::Effect::kFeedBacklash) tune_play(trial.fit);
   // A bend would do the work of a wrong onset.
   if (candidate.onset_s > 0.0) place_onset_of_newest(trial.fit);
-  if (candidate.form.effect == gap::Effect::kShaftCompliance) tune_newest(trial.fit);
+  if (candidate.form.effect == gap::Effect::kShaftCompliance) tune_newest(trial.fit, without.everywhere);
   weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
   trial.candidate.form = trial.fit.model().effects.back().form;
   return trial;

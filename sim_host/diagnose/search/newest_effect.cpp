@@ -290,7 +290,7 @@ void tune_play(AxisFit& trial) {
 
 // At which end the cut is and how the shaft is damped hide each other: the search begins with either end.
 // What a wrong damping leaves passes for process noise, which then hides it: a second one begins with little.
-void tune_newest(AxisFit& trial) {
+void tune_newest(AxisFit& trial, double rival) {
   AxisFit tuned = trial;
   tuned.narrow_down();
   gap::EffectForm& form = tuned.change_model().effects.back().form;
@@ -304,7 +304,7 @@ void tune_newest(AxisFit& trial) {
     fit->polish();
     if (fit->unlikeliness() < trial.unlikeliness()) trial = std::move(*fit);
   }
-  sharpen_shaft(trial);
+  if (trial.unlikeliness() < rival) sharpen_shaft(trial);
 }
 
 void weigh_order_of_lags(AxisFit& trial) {

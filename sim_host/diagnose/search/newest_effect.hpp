@@ -21,8 +21,8 @@ void tune_bristle(AxisFit& trial);
 void tune_play(AxisFit& trial);
 
 /// Searches for resonance and damping of the model's newest effect, a compliant shaft, now that it swings in
-/// the model.
-void tune_newest(AxisFit& trial);
+/// the model; to the end where it is likelier than the `rival`.
+void tune_newest(AxisFit& trial, double rival);
 
 /// Gives the law of one of the model's effects a bend, or takes it away, where that is more likely, as far as
 /// the law bends at all: a linearisation beside parameters that had to bend to what was missing does not
