@@ -45,9 +45,8 @@ INSTANTIATE_TEST_SUITE_P(Feeds, SwingingParts,
                            return "Hz" + std::to_string(static_cast<int>(one.param.frequency_hz));
                          });
 
-// A position alone is looked at in means over 5 ms, too, where what shakes an axis hides its friction; a part
-// that swings faster than these show is not gone there.
-TEST(Ringing, IsNotForgottenInSlowMotion) {
+// Without a speed sensor, too.
+TEST(Ringing, IsSeenInAPositionAlone) {
   DrivenAxis axis = moving_axis({0.35, 40.0});
   axis.has_speed = false;
   EXPECT_EQ(diagnosed(record(axis), datasheet(0.0)).verdict, host::Verdict::kUnexplained);
@@ -73,7 +72,7 @@ TEST(Ringing, IsNotInRandomForces) {
     EXPECT_LT(ringing_behind(moving_axis({}, force_n)).deviance, 100.0) << force_n;
 }
 
-TEST(Ringing, IsNotInAPositionAlone) {
+TEST(Ringing, IsNotInAPositionOfARightMachine) {
   EXPECT_LT(ringing_behind({.rate_hz = 1000.0, .rows = 4000, .has_speed = false}).deviance, 40.0);
 }
 
