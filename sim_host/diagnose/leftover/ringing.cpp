@@ -39,9 +39,8 @@ std::array<Channel, 2> drives_of(const RecordingSignals& signals) {
           signals.has(Channel::kFeedSpeed) ? Channel::kFeedSpeed : Channel::kFeedPosition};
 }
 
-/// Moments of each sensor's mean innovations: [past ones | lags | resonances | the
-/// mean]. A controller that knows more of the state than the sensors tells of it by its force, which lags
-/// take: they do not ring.
+/// Moments of each sensor's mean innovations: [past ones | lags | resonances | the mean]. A controller that
+/// knows more of the state than the sensors tells of it by its force, which lags take: they do not ring.
 class RingingMoments {
  public:
   explicit RingingMoments(const AxisFit& fit)
