@@ -206,10 +206,7 @@ class Diagnosis {
       return std::string(meaning) + (is_unexplained() && !result_.has_place()
                                          ? "; no balance that is evaluated shows it alone"
                                          : "");
-    if (std::string lack = too_short(signals_); !lack.empty()) return lack;
-    if (outcomes_.empty())
-      return "no balance has its signals in the recording and its values in the machine file";
-    return "nothing moves enough in the recording to tell a single parameter";
+    return why_undetermined(signals_, !outcomes_.empty());
   }
 
   // By a fault of another sensor, or in another kind of its law.

@@ -1,15 +1,17 @@
 #include "sim_host/diagnose/leftover/ringing.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
 #include "sim_host/diagnose/fit/gap_statistics.hpp"
+#include "sim_host/diagnose/fit/linear_fit.hpp"
 #include "sim_host/diagnose/fit/memory_ages.hpp"
 #include "sim_host/diagnose/fit/whitening.hpp"
 #include "sim_host/diagnose/leftover/driven_states.hpp"
@@ -71,21 +73,15 @@ class RingingMoments {
     Eigen::VectorXd taken = Eigen::VectorXd::Zero(resonance_columns() / 2);
     const Sensor& of = sensors_[sensor];
     if (!(of.rows > static_cast<double>(of.moments.cols()))) return taken;
-    Eigen::MatrixXd moments = of.moments.selfadjointView<Eigen::Lower>();
-    const Eigen::VectorXd scale = moments.diagonal().cwiseMax(1.0e-300).cwiseSqrt().cwiseInverse();
-    moments = scale.asDiagonal() * moments * scale.asDiagonal();
-    moments.diagonal().array() += 1.0e-9;
-    const Eigen::Index explained = explained_columns();
-    const Eigen::Index rest = moments.cols() - explained;
-    const Eigen::MatrixXd across = moments.topRightCorner(explained, rest);
-    const Eigen::MatrixXd left =
-        moments.bottomRightCorner(rest, rest) -
-        across.transpose() * moments.topLeftCorner(explained, explained).ldlt().solve(across);
-    const double unexplained = left(rest - 1, rest - 1);
+    const Eigen::MatrixXd moments = of.moments.selfadjointView<Eigen::Lower>();
+    std::vector<Eigen::Index> explained(static_cast<std::size_t>(explained_columns()));
+    std::iota(explained.begin(), explained.end(), Eigen::Index{0});
+    const Eigen::VectorXd no_prior = Eigen::VectorXd::Zero(moments.cols());
+    const Remainder rest = remainder(moments, explained, no_prior, no_prior);
+    Eigen::VectorXd coefficient;
     for (Eigen::Index i = 0; i < taken.size(); ++i) {
-      const Eigen::Vector2d with = left.block<2, 1>(2 * i, rest - 1);
-      const double gain = with.dot(left.block<2, 2>(2 * i, 2 * i).ldlt().solve(with));
-      if (gain > 0.0) taken(i) = of.rows * std::log(unexplained / std::max(unexplained - gain, 1.0e-9));
+      const double gain = gain_of(rest, moments, explained_columns() + 2 * i, 2, coefficient);
+      taken(i) = of.rows * std::log(rest.rss / std::max(rest.rss - gain, 1.0e-9 * rest.rss));
     }
     return taken;
   }

@@ -48,6 +48,13 @@ std::string too_short(const RecordingSignals& signals) {
   return fmt::format("the recording is shorter than {} rows", kFewestRows);
 }
 
+std::string why_undetermined(const RecordingSignals& signals, bool is_any_evaluated) {
+  if (std::string lack = too_short(signals); !lack.empty()) return lack;
+  if (!is_any_evaluated)
+    return "no balance has its signals in the recording and its values in the machine file";
+  return "nothing moves enough in the recording to tell a single parameter";
+}
+
 std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& signals,
                               const MachineDescription& machine) {
   Missing missing(signals);

@@ -16,6 +16,9 @@ inline constexpr std::size_t kFewestRows = 1000;
 /// That these are fewer; empty: they are not.
 std::string too_short(const RecordingSignals& signals);
 
+/// Why there is no verdict, where nothing was judged or, of what is evaluated, nothing was excited.
+std::string why_undetermined(const RecordingSignals& signals, bool is_any_evaluated);
+
 /// What a balance needs and the machine file or the recording does not have; empty: nothing is missing.
 std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& signals,
                               const MachineDescription& machine);
