@@ -78,7 +78,9 @@ class Diagnosis {
       datasheet_.known.push_back(gap::restated(effect, file_scales(), recording_scales()));
     try_axes();
     look_for_jitter();
-    leave_out_excluded_faults();
+    std::erase_if(faults_, [this](const SamplingFault& fault) {
+      return std::ranges::count(options_.excluded, fault.effect) > 0;
+    });
     leave_out_known(machine_.effects, faults_);
     judge();
     rank();
@@ -90,7 +92,10 @@ class Diagnosis {
 
   [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }
   [[nodiscard]] bool names_effects() const { return result_.verdict == Verdict::kEffect; }
-  [[nodiscard]] bool has_ringing() const { return std::ranges::any_of(outcomes_, rings); }
+  /// Structure that means over 5 ms need not show.
+  [[nodiscard]] bool has_hidden_structure() const {
+    return lost_.has_value() || std::ranges::any_of(outcomes_, rings);
+  }
 
   /// What was left of the recording after dead sensors were, and what there is to say about it.
   [[nodiscard]] const RecordingSignals& signals() const { return signals_; }
@@ -154,13 +159,6 @@ class Diagnosis {
     if (of_law > 0.0) outcomes_[fit].keep_without_name(of_law, sensor == 0 ? 1.0 : 0.0);
   }
 
-  void leave_out_excluded_faults() {
-    std::erase_if(faults_, [this](const SamplingFault& fault) {
-      return std::find(options_.excluded.begin(), options_.excluded.end(), fault.effect) !=
-             options_.excluded.end();
-    });
-  }
-
   void judge() {
     double named = 0.0;
     double known = 0.0;
@@ -202,6 +200,11 @@ class Diagnosis {
   }
 
   std::string explanation() const {
+    if (lost_)
+      return fmt::format(
+          "a model that runs free is lost in {}: what the machine does there comes back, or lasts, "
+          "and is no random force",
+          gap::name_of(*lost_));
     if (const auto meaning = meaning_of(result_.verdict); !meaning.empty())
       return std::string(meaning) + (is_unexplained() && !result_.has_place()
                                          ? "; no balance that is evaluated shows it alone"
@@ -211,19 +214,18 @@ class Diagnosis {
 
   // By a fault of another sensor, or in another kind of its law.
   [[nodiscard]] bool is_named(Effect effect) const {
-    return std::any_of(result_.which.begin(), result_.which.end(),
-                       [effect](const EffectResult& e) { return e.effect == effect; });
+    return std::ranges::count(result_.which, effect, &EffectResult::effect) > 0;
   }
 
   [[nodiscard]] bool names_a_play() const {
-    return std::any_of(result_.which.begin(), result_.which.end(),
-                       [](const EffectResult& e) { return keeps_its_side(e.effect); });
+    return std::ranges::any_of(result_.which, keeps_its_side, &EffectResult::effect);
   }
 
   /// Rows, and pieces that were not fitted to, have the last word on whether names explain the gap.
   void reconsider() {
     const bool has_say =
         result_.verdict != Verdict::kInsufficientExcitation && faults_.empty() && !names_a_play();
+    if (has_say && result_.which.empty() && !is_unexplained() && is_lost()) return;
     const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
     const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);
     const bool is_left = has_say && !is_unexplained() &&
@@ -236,17 +238,21 @@ class Diagnosis {
     rank();
   }
 
+  /// Is a model that runs free lost although it leaves no structure? Then that passed for random forces.
+  bool is_lost() {
+    lost_ = lost_balance(result_.shrinkage.free_run_nrmse);
+    if (!lost_) return false;
+    result_.verdict = Verdict::kUnexplained;
+    result_.unexplained_share = 1.0;
+    for (BalanceResult& balance : result_.where) balance.is_significant |= balance.balance == *lost_;
+    return true;
+  }
+
   void rank() {
     result_.which.clear();
     if (result_.verdict == Verdict::kInsufficientExcitation) return;
-    for (const SamplingFault& fault : faults_) {
-      EffectResult effect{.effect = fault.effect, .confidence = 0.97};
-      effect.magnitude = fault.size;
-      effect.standard_error = fault.standard_error;
-      effect.evidence = fault.evidence;
-      effect.alias_set = {fault.effect};
-      if (!is_named(fault.effect)) result_.which.push_back(effect);
-    }
+    for (const SamplingFault& fault : faults_)
+      if (!is_named(fault.effect)) result_.which.push_back(named_fault(fault));
     for (const AxisOutcome& outcome : outcomes_) rank(outcome);
     std::stable_sort(result_.which.begin(), result_.which.end(),
                      [](const EffectResult& a, const EffectResult& b) { return a.evidence > b.evidence; });
@@ -370,7 +376,8 @@ class Diagnosis {
   GapModel datasheet_;
   std::vector<SamplingFault> faults_;
   std::vector<AxisOutcome> outcomes_;
-  bool is_judged_by_share_ = false;  ///< the gap, by names that leave some of the evidence
+  std::optional<gap::Balance> lost_;  ///< in which a model that runs free is
+  bool is_judged_by_share_ = false;   ///< the gap, by names that leave some of the evidence
   DiagnosisResult result_;
 };
 
@@ -388,8 +395,9 @@ DiagnosisResult diagnose(const RecordingSignals& signals, const MachineDescripti
   quietly.on_progress = [](double) {};
   Diagnosis of_slow_motion(std::move(*slow), signals, machine, quietly);
   of_slow_motion.run();
-  // What rings is not gone because it cannot be seen there.
-  if (of_slow_motion.is_unexplained() || (diagnosis.has_ringing() && !of_slow_motion.names_effects()))
+  // What rings, or passed for random forces, is not gone because it cannot be seen there.
+  if (of_slow_motion.is_unexplained() ||
+      (diagnosis.has_hidden_structure() && !of_slow_motion.names_effects()))
     return diagnosis.take_result(with_effects);
   DiagnosisResult result = of_slow_motion.take_result(with_effects);
   result.notices = diagnosis.notices();

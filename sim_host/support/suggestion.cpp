@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <vector>
 
@@ -33,16 +34,25 @@ std::size_t slips(std::string_view word, std::string_view candidate) {
   return word.size() < kShortest ? row.back() : std::min(row.back(), *std::ranges::min_element(row) + 1);
 }
 
+/// Names here are in lower case; a word in capitals is none of its letters wrong.
+std::string in_lower_case(std::string_view word) {
+  std::string lower(word);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) { return distances(a, b).back(); }
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
+  const std::string typed = in_lower_case(word);
   // A third of the letters: a slip of the keyboard or a forgotten unit, not another word.
   std::size_t best_distance = std::max(word.size() / 3, std::size_t{1}) + 1;
   std::string_view best;
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = slips(word, candidate);
+    const std::size_t distance = slips(typed, candidate);
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;

@@ -128,5 +128,21 @@ TEST_F(WrongWay, IsSeenWhereALawThatBendsActsMost) {
   EXPECT_TRUE(acts_wrong(clipped));
 }
 
+// 0.9 of what is asked may be lost, not more than all of it, nor of less that is asked.
+TEST_F(WrongWay, IsADriveThatSaturatesUntilItPushesBack) {
+  const double most_n = signals_.largest(Channel::kFeedForce);
+  const double all = 1.0 / (most_n * most_n);
+  EXPECT_FALSE(acts_wrong(Effect::kFeedForceSaturation, 0.9 * all));
+  EXPECT_TRUE(acts_wrong(Effect::kFeedForceSaturation, 1.1 * all));
+  gap::AppliedEffect bent = gap::applied(Effect::kFeedForceSaturation, 6.0 * all, {});
+  bent.form.parts = 2;
+  const double reference_n = fit_.model().point.feed_force_n;
+  bent.coefficient[1] = -5.1 * all * (reference_n * reference_n) / (most_n * most_n);
+  EXPECT_TRUE(acts_wrong(bent));
+  bent.coefficient[0] = 3.0 * all;
+  bent.coefficient[1] *= 2.9 / 5.1;
+  EXPECT_FALSE(acts_wrong(bent)) << "0.8 of it, at most";
+}
+
 }  // namespace
 }  // namespace morepro::diagnose_test

@@ -42,18 +42,20 @@ struct DrivenAxis {
   double position_noise_m = 1.0e-6;  ///< standard deviation
   /// Share of the datasheet's mass at a place in m.
   std::function<double(double)> mass_at = [](double) { return 1.0; };
+  /// Share of the datasheet's viscous friction at a place in m.
+  std::function<double(double)> viscosity_at = [](double) { return 1.0; };
   /// Against the motion, in N, at a speed in m/s.
   std::function<double(double)> brake_at = [](double) { return 0.0; };
   double random_force_n = 0.0;  ///< standard deviation, another one in each row
   SwingingPart part{};
   std::function<double(double)> wanted_m = shaken_m;
+  MonitorConfiguration configuration = reference_configuration();
 };
 
 inline RecordingSignals record(const DrivenAxis& axis) {
   constexpr int kSteps = 20;
   const double step_s = 1.0 / (axis.rate_hz * kSteps);
-  const MonitorConfiguration configuration = reference_configuration();
-  const auto& feed = configuration.machine.feed;
+  const auto& feed = axis.configuration.machine.feed;
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   RecordingSignals signals;
@@ -70,7 +72,7 @@ inline RecordingSignals record(const DrivenAxis& axis) {
     show(signals, Channel::kFeedForce, force_n);
     if (axis.has_speed)
       show(signals, Channel::kFeedSpeed,
-           speed_m_s + configuration.sensors[Channel::kFeedSpeed].noise * normal(random));
+           speed_m_s + axis.configuration.sensors[Channel::kFeedSpeed].noise * normal(random));
     show(signals, Channel::kFeedPosition, place_m + axis.position_noise_m * normal(random));
     const double random_n = axis.random_force_n * normal(random);
     for (int step = 0; step < kSteps; ++step) {
@@ -79,10 +81,10 @@ inline RecordingSignals record(const DrivenAxis& axis) {
       part_speed_m_s += step_s * pull_m_s2;
       stretch_m += step_s * (speed_m_s - part_speed_m_s);
       const double part_kg = axis.part.share * feed.mass_kg;
-      const double left_n = force_n + random_n - feed.viscous_friction_ns_m * speed_m_s -
-                            axis.brake_at(speed_m_s) - part_kg * pull_m_s2;
-      const double mass_kg =
-          feed.mass_kg * axis.mass_at(place_m) - part_kg + 0.5 * step_s * feed.viscous_friction_ns_m;
+      const double viscous_ns_m = feed.viscous_friction_ns_m * axis.viscosity_at(place_m);
+      const double left_n =
+          force_n + random_n - viscous_ns_m * speed_m_s - axis.brake_at(speed_m_s) - part_kg * pull_m_s2;
+      const double mass_kg = feed.mass_kg * axis.mass_at(place_m) - part_kg + 0.5 * step_s * viscous_ns_m;
       const double change_m_s = step_s * left_n / mass_kg;
       place_m += step_s * (speed_m_s + 0.5 * change_m_s);
       speed_m_s += change_m_s;

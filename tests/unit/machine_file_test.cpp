@@ -186,6 +186,7 @@ TEST(Suggestion, FindsTheWordThatWasMeantAndNoOther) {
   EXPECT_EQ(nearest("resistence_ohm", kWords), "resistance_ohm");
   EXPECT_EQ(nearest("resistance", kWords), "resistance_ohm");
   EXPECT_EQ(nearest("resistenc", kWords), "resistance_ohm");
+  EXPECT_EQ(nearest("RESISTANCE_OHM", kWords), "resistance_ohm");
   EXPECT_EQ(nearest("colour", kWords), "");
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
 }

@@ -204,6 +204,15 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
   return effect;
 }
 
+EffectResult named_fault(const SamplingFault& fault) {
+  EffectResult result{.effect = fault.effect, .confidence = 0.97};
+  result.magnitude = fault.size;
+  result.standard_error = fault.standard_error;
+  result.evidence = fault.evidence;
+  result.alias_set = {fault.effect};
+  return result;
+}
+
 void take_shape(const EffectResult& shape, EffectResult& cause) {
   const bool is_of_lag = is_lag(family_of(cause.effect));
   if (!is_of_lag && cause.effect != Effect::kFeedAsymmetricFriction) return;

@@ -3,6 +3,7 @@
 
 #include "sim_host/diagnose/result/diagnosis_result.hpp"
 #include "sim_host/diagnose/search/axis_diagnosis.hpp"
+#include "sim_host/diagnose/signals/sampling_checks.hpp"
 
 namespace morepro::host {
 
@@ -38,6 +39,9 @@ struct NamingContext {
 /// An effect with its evidence, its confidence and the effects that it cannot be told from; without its size,
 /// which depends on the reference point that it is stated at.
 EffectResult named_effect(const Finding& finding, const AxisFit& fit, const NamingContext& context);
+
+/// What the samples themselves show, with its size.
+EffectResult named_fault(const SamplingFault& fault);
 
 /// Joins to a cause what gives it its shape: lags one after the other add up, and which is which nobody
 /// knows; nor whether a constant force is friction that depends on the direction.

@@ -52,6 +52,21 @@ double largest_bend(gap::Effect effect, const AxisFit& fit) {
   }
 }
 
+/// Would a drive or a motor that saturates push the other way at something that the recording asks of it?
+bool turns_round(const gap::AppliedEffect& effect, const AxisFit& fit) {
+  const gap::Effect own = effect.form.effect;
+  const bool is_drive = own == gap::Effect::kFeedForceSaturation;
+  if (!is_drive && own != gap::Effect::kTorqueConstantSaturation) return false;
+  // What it loses, as a share, is a x + b x^2, with x the square of what is asked.
+  const double most = fit.signals().largest(is_drive ? Channel::kFeedForce : Channel::kArmatureCurrent);
+  const double largest = most * most;
+  const double a = effect.coefficient[0];
+  const double b =
+      effect.form.parts > 1 && largest > 0.0 ? effect.coefficient[1] * largest_bend(own, fit) / largest : 0.0;
+  const double at_peak = -a / (2.0 * b) < largest ? -a * a / (4.0 * b) : 0.0;
+  return std::max((a + b * largest) * largest, b < 0.0 && a > 0.0 ? at_peak : 0.0) > 1.0;
+}
+
 /// Are they the same, or parts of one friction of the same axis?
 bool is_of_one_kind(gap::Effect a, gap::Effect b) {
   const Family family = family_of(a);
@@ -108,6 +123,7 @@ bool is_bent(const AxisFit& fit) {
 }
 
 bool acts_the_wrong_way(const gap::AppliedEffect& effect, const AxisFit& fit) {
+  if (turns_round(effect, fit)) return true;
   const gap::Effect own = effect.form.effect;
   const bool is_shape = gap::is_stribeck(own) || own == gap::Effect::kSpindleWindage;
   if (!gap::acts_one_way(own) || is_shape || !(effect.coefficient[0] < 0.0)) return false;

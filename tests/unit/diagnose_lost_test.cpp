@@ -1,0 +1,75 @@
+// What comes back, and passes for random forces where an observer may follow it: a model that runs free is
+// lost.
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "sim_host/diagnose/balances/share_closed.hpp"
+#include "tests/unit/driven_axis.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+host::ModelError error(double value, double low, double high) {
+  return {.value = value, .interval90 = {low, high}};
+}
+
+/// The feed's, of a datasheet that is off by 0.20, 0.19 .. 0.21.
+host::Comparisons comparisons(const host::ModelError& refit, double noise_floor) {
+  host::Comparisons all;
+  host::ModelComparison& feed = all[static_cast<std::size_t>(gap::Balance::kFeedForce)].emplace();
+  feed.datasheet = error(0.20, 0.19, 0.21);
+  feed.refit = refit;
+  feed.noise_floor = noise_floor;
+  return all;
+}
+
+TEST(LostModel, IsFarBeyondRandomForcesOrBehindTheDatasheet) {
+  EXPECT_EQ(host::lost_balance(comparisons(error(0.10, 0.09, 0.11), 0.02)), gap::Balance::kFeedForce);
+  EXPECT_EQ(host::lost_balance(comparisons(error(0.29, 0.27, 0.31), 0.25)), gap::Balance::kFeedForce);
+}
+
+TEST(LostModel, IsNoneThatRandomForcesMayMake) {
+  EXPECT_FALSE(host::lost_balance(comparisons(error(0.10, 0.07, 0.11), 0.02)))
+      << "it may be less than 4 times";
+  EXPECT_FALSE(host::lost_balance(comparisons(error(0.26, 0.22, 0.31), 0.25))) << "it may be the datasheet's";
+  EXPECT_FALSE(host::lost_balance({})) << "nothing was compared";
+}
+
+TEST(LostModel, IsNotKnownWithoutAnInterval) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(host::lost_balance(comparisons(error(0.9, kUnknown, kUnknown), 0.02)));
+}
+
+/// A slide of 60 kg with good sensors.
+MonitorConfiguration heavy(MonitorConfiguration configuration) {
+  configuration.machine.feed.mass_kg *= 20.0;
+  configuration.sensors[Channel::kFeedSpeed] = {.noise = 2.0e-4F, .lsb = 2.0e-5F};
+  configuration.sensors[Channel::kFeedPosition] = {.noise = 2.0e-6F, .lsb = 1.0e-6F};
+  return configuration;
+}
+
+/// Along 0.6 m and back, at 0.3 m/s and then at half of it.
+double strokes_m(double time_s) {
+  constexpr double kStrokeM = 0.6;
+  const double way_m = 0.15 * time_s + 0.15 * std::min(time_s, 4.4);
+  const double back_and_forth_m = std::fmod(way_m, 2.0 * kStrokeM);
+  return std::min(back_and_forth_m, 2.0 * kStrokeM - back_and_forth_m);
+}
+
+// A guide that is tight here and loose there was "no_gap" or a wrong datasheet, with residual ratios
+// of 1.000.
+TEST(LostModel, IsOfAGuideThatIsTighterHereThanThere) {
+  DrivenAxis axis{.rate_hz = 1000.0, .rows = 10000, .position_noise_m = 2.0e-6, .wanted_m = strokes_m};
+  axis.configuration = heavy(axis.configuration);
+  axis.viscosity_at = [](double m) { return 1.0 + 0.4 * std::cos(2.0 * std::numbers::pi * m / 0.55); };
+  MachineDescription sheet = datasheet(0.05);
+  sheet.configuration = heavy(sheet.configuration);
+  const auto result = diagnosed(record(axis), sheet);
+  EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
+  EXPECT_THAT(result.explanation, testing::HasSubstr("runs free is lost in feed_force"));
+  EXPECT_TRUE(result.has_place());
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test
