@@ -18,6 +18,10 @@ void add_report_option(CLI::App& command, std::string& file) {
   command.add_option("--report", file, "page with the result and its evidence (HTML, one file, no network)");
 }
 
+void add_text_option(CLI::App& command, std::string& file) {
+  command.add_option("--out", file, "write what is printed to a file; '-': on standard output");
+}
+
 void add_examples(CLI::App& command, std::string_view words, std::string_view examples) {
   command.footer(fmt::format("{}{}Examples:\n{}", words, words.empty() ? "" : "\n\n", examples));
 }

@@ -28,6 +28,9 @@ void add_progress_option(CLI::App& command, std::string& mode);
 /// --report FILE.html
 void add_report_option(CLI::App& command, std::string& file);
 
+/// --out of a command whose result is a text: the file that takes it instead of standard output.
+void add_text_option(CLI::App& command, std::string& file);
+
 /// What stands below the options in --help: words, may be empty, and examples, which work one after the other
 /// in an empty folder.
 void add_examples(CLI::App& command, std::string_view words, std::string_view examples);

@@ -32,6 +32,7 @@ struct DiagnoseArguments {
   std::string recording;
   std::string machine;
   std::string json;
+  std::string out;
   std::string apply;
   std::string report;
   std::vector<std::string> exclude;
@@ -58,7 +59,10 @@ DiagnosisResult diagnosed(RecordingSignals signals, const MachineDescription& ma
 
 void run(const DiagnoseArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
-                 {{"--json", arguments.json}, {"--apply", arguments.apply}, {"--report", arguments.report}});
+                 {{"--out", arguments.out},
+                  {"--json", arguments.json},
+                  {"--apply", arguments.apply},
+                  {"--report", arguments.report}});
   std::optional<SignalsReport> report;
   if (!arguments.report.empty()) report.emplace("diagnose");
   DiagnosisOptions options{
@@ -68,6 +72,7 @@ void run(const DiagnoseArguments& arguments) {
   std::vector<std::string> notices = recording.info().warnings;
   const MachineDescription machine = machine_for(recording, arguments.machine, notices);
   for (const std::string& notice : notices) warn(notice);
+  const auto out = open_if_asked(arguments.out);
   const auto json = open_if_asked(arguments.json);
   const auto applied = open_if_asked(arguments.apply);
   const auto page = open_if_asked(arguments.report);
@@ -87,8 +92,11 @@ void run(const DiagnoseArguments& arguments) {
   if (json) json->write(text);
   if (page) page->write(report->html(text, command_line(), {arguments.recording, arguments.machine}));
   if (applied) applied->write(machine_file_text(with_effects));
-  if (arguments.json != "-" && arguments.apply != "-" && arguments.report != "-")
+  if (out)
+    out->write(diagnosis_text(result));
+  else if (arguments.json != "-" && arguments.apply != "-" && arguments.report != "-")
     fmt::print("{}", diagnosis_text(result));
+  if (out) out->commit();
   if (json) json->commit();
   if (applied) applied->commit();
   if (page) page->commit();
@@ -110,6 +118,7 @@ void add_diagnose(CLI::App& program) {
       ->check(between(0, 100000, ""))
       ->capture_default_str();
   command->add_option("--exclude", arguments->exclude, "take an effect out of the catalogue; repeatable");
+  add_text_option(*command, arguments->out);
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
   command->add_option("--apply", arguments->apply, "write the machine with what was found (TOML)");
   add_report_option(*command, arguments->report);

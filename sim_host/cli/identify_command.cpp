@@ -38,6 +38,7 @@ struct IdentifyArguments {
   std::string machine;
   std::string filter = "states";
   std::string json;
+  std::string out;
   std::string apply;
   std::string report;
   std::string progress = "auto";
@@ -99,13 +100,17 @@ bool is_any_identified(const IdentificationResult& result) {
 
 void run(const IdentifyArguments& arguments) {
   check_distinct({{"the recording", arguments.recording}, {"--machine", arguments.machine}},
-                 {{"--json", arguments.json}, {"--apply", arguments.apply}, {"--report", arguments.report}});
+                 {{"--out", arguments.out},
+                  {"--json", arguments.json},
+                  {"--apply", arguments.apply},
+                  {"--report", arguments.report}});
   std::optional<SignalsReport> report;
   if (!arguments.report.empty()) report.emplace("identify");
   RecordingReader recording(arguments.recording);
   std::vector<std::string> notices = recording.info().warnings;
   const MachineDescription machine = machine_for(recording, arguments.machine, notices);
   for (const std::string& notice : notices) warn(notice);
+  const auto out = open_if_asked(arguments.out);
   const auto json = open_if_asked(arguments.json);
   const auto applied = open_if_asked(arguments.apply);
   const auto page = open_if_asked(arguments.report);
@@ -127,8 +132,11 @@ void run(const IdentifyArguments& arguments) {
     report->take(signals, machine, identified);
     page->write(report->html(text, command_line(), {arguments.recording, arguments.machine}));
   }
-  if (arguments.json != "-" && arguments.apply != "-" && arguments.report != "-")
+  if (out)
+    out->write(identification_text(result));
+  else if (arguments.json != "-" && arguments.apply != "-" && arguments.report != "-")
     fmt::print("{}", identification_text(result));
+  if (out) out->commit();
   if (json) json->commit();
   if (applied) applied->commit();
   if (page) page->commit();
@@ -151,6 +159,7 @@ void add_identify(CLI::App& program) {
           "'states': from speeds and current; 'derivatives': from their derivatives, as in the thesis")
       ->check(one_of({"states", "derivatives"}))
       ->capture_default_str();
+  add_text_option(*command, arguments->out);
   command->add_option("--json", arguments->json, "write the result as JSON; '-': on standard output");
   command->add_option("--apply", arguments->apply,
                       "write the machine with the values that were identified (TOML)");

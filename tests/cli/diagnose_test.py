@@ -266,6 +266,8 @@ class Contract(Diagnose):
         text = self.must_do("diagnose", "run.csv", "--bootstrap", 20).stdout
         for part in ("feed_force_offset", "N", "%"):
             self.assertIn(part, text)
+        printed = self.must_do("diagnose", "run.csv", "--bootstrap", 20, "--out", "result.txt").stdout
+        self.assertEqual((printed, (self.folder / "result.txt").read_text()), ("", text))
 
     def test_mistakes_are_refused_and_nothing_is_written(self):
         self.simulate(duration=0.2)
