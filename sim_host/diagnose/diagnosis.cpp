@@ -1,6 +1,7 @@
 #include "sim_host/diagnose/diagnosis.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,7 @@
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/winding_heat.hpp"
 #include "sim_host/diagnose/signals/current_drive.hpp"
+#include "sim_host/diagnose/signals/differenced_speed.hpp"
 #include "sim_host/diagnose/signals/lone_samples.hpp"
 #include "sim_host/diagnose/signals/reference_scales.hpp"
 #include "sim_host/diagnose/signals/sampling_checks.hpp"
@@ -64,6 +66,10 @@ class Diagnosis {
     if (machine_.has_spindle) drive_by_current(signals_);
     for (std::string& lack : untested_effects(signals_, machine_)) result_.notices.push_back(std::move(lack));
     faults_ = find_quantization(signals_, sensors);
+    for (const Channel channel : allow_for_differences(signals_, sensors))
+      result_.notices.push_back(fmt::format(
+          "{} is the difference of a rounded position: twice the variance of its steps is taken for noise",
+          kChannels[index_of(channel)].column));
     if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
     if (signals_.missing_rows > 0) doubt_lost_inputs(signals_);
     for (const LoneSamples& lone : leave_out_lone_samples(signals_, sensors))
@@ -94,7 +100,7 @@ class Diagnosis {
   [[nodiscard]] bool names_effects() const { return result_.verdict == Verdict::kEffect; }
   /// Structure that means over 5 ms need not show.
   [[nodiscard]] bool has_hidden_structure() const {
-    return lost_.has_value() || std::ranges::any_of(outcomes_, rings);
+    return !lost_.empty() || std::ranges::any_of(outcomes_, rings);
   }
 
   /// What was left of the recording after dead sensors were, and what there is to say about it.
@@ -200,11 +206,11 @@ class Diagnosis {
   }
 
   std::string explanation() const {
-    if (lost_)
+    if (!lost_.empty())
       return fmt::format(
-          "a model that runs free is lost in {}: what the machine does there comes back, or lasts, "
-          "and is no random force",
-          gap::name_of(*lost_));
+          "a model that runs free is lost in {}: it is farther off than the datasheet's, or than random "
+          "forces make it",
+          fmt::join(lost_, ", "));
     if (const auto meaning = meaning_of(result_.verdict); !meaning.empty())
       return std::string(meaning) + (is_unexplained() && !result_.has_place()
                                          ? "; no balance that is evaluated shows it alone"
@@ -225,7 +231,8 @@ class Diagnosis {
   void reconsider() {
     const bool has_say =
         result_.verdict != Verdict::kInsufficientExcitation && faults_.empty() && !names_a_play();
-    if (has_say && result_.which.empty() && !is_unexplained() && is_lost()) return;
+    if (has_say && result_.which.empty() && !is_unexplained()) mark_lost();
+    if (!lost_.empty()) return;
     const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
     const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);
     const bool is_left = has_say && !is_unexplained() &&
@@ -238,14 +245,17 @@ class Diagnosis {
     rank();
   }
 
-  /// Is a model that runs free lost although it leaves no structure? Then that passed for random forces.
-  bool is_lost() {
-    lost_ = lost_balance(result_.shrinkage.free_run_nrmse);
-    if (!lost_) return false;
+  /// What a model that runs free is lost in is a gap, although an observer takes it for random forces.
+  void mark_lost() {
+    for (BalanceResult& balance : result_.where) {
+      const auto place = static_cast<std::size_t>(balance.balance);
+      if (!balance.is_evaluated || !is_lost(result_.shrinkage.free_run_nrmse[place])) continue;
+      balance.is_significant = true;
+      lost_.push_back(gap::name_of(balance.balance));
+    }
+    if (lost_.empty()) return;
     result_.verdict = Verdict::kUnexplained;
     result_.unexplained_share = 1.0;
-    for (BalanceResult& balance : result_.where) balance.is_significant |= balance.balance == *lost_;
-    return true;
   }
 
   void rank() {
@@ -376,8 +386,8 @@ class Diagnosis {
   GapModel datasheet_;
   std::vector<SamplingFault> faults_;
   std::vector<AxisOutcome> outcomes_;
-  std::optional<gap::Balance> lost_;  ///< in which a model that runs free is
-  bool is_judged_by_share_ = false;   ///< the gap, by names that leave some of the evidence
+  std::vector<std::string_view> lost_;  ///< balances in which a model that runs free is
+  bool is_judged_by_share_ = false;     ///< the gap, by names that leave some of the evidence
   DiagnosisResult result_;
 };
 

@@ -34,7 +34,7 @@ std::size_t slips(std::string_view word, std::string_view candidate) {
   return word.size() < kShortest ? row.back() : std::min(row.back(), *std::ranges::min_element(row) + 1);
 }
 
-/// Names here are in lower case; a word in capitals is none of its letters wrong.
+/// Capitals are no slip of the keyboard.
 std::string in_lower_case(std::string_view word) {
   std::string lower(word);
   std::ranges::transform(lower, lower.begin(),
@@ -52,7 +52,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   std::size_t best_distance = std::max(word.size() / 3, std::size_t{1}) + 1;
   std::string_view best;
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = slips(typed, candidate);
+    const std::size_t distance = slips(typed, in_lower_case(candidate));
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;

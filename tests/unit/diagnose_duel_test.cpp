@@ -128,12 +128,12 @@ TEST_F(WrongWay, IsSeenWhereALawThatBendsActsMost) {
   EXPECT_TRUE(acts_wrong(clipped));
 }
 
-// 0.9 of what is asked may be lost, not more than all of it, nor of less that is asked.
+// It may lose 0.9 of what is asked, but nowhere in the range more than all of it.
 TEST_F(WrongWay, IsADriveThatSaturatesUntilItPushesBack) {
   const double most_n = signals_.largest(Channel::kFeedForce);
   const double all = 1.0 / (most_n * most_n);
   EXPECT_FALSE(acts_wrong(Effect::kFeedForceSaturation, 0.9 * all));
-  EXPECT_TRUE(acts_wrong(Effect::kFeedForceSaturation, 1.1 * all));
+  EXPECT_TRUE(acts_wrong(Effect::kFeedForceSaturation, 1.3 * all));
   gap::AppliedEffect bent = gap::applied(Effect::kFeedForceSaturation, 6.0 * all, {});
   bent.form.parts = 2;
   const double reference_n = fit_.model().point.feed_force_n;
@@ -142,6 +142,8 @@ TEST_F(WrongWay, IsADriveThatSaturatesUntilItPushesBack) {
   bent.coefficient[0] = 3.0 * all;
   bent.coefficient[1] *= 2.9 / 5.1;
   EXPECT_FALSE(acts_wrong(bent)) << "0.8 of it, at most";
+  const double most_a = signals_.largest(Channel::kArmatureCurrent);
+  EXPECT_TRUE(acts_wrong(Effect::kTorqueConstantSaturation, 1.3 / (most_a * most_a))) << "a motor, too";
 }
 
 }  // namespace

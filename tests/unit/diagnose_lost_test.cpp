@@ -2,7 +2,11 @@
 // lost.
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 #include "sim_host/diagnose/balances/share_closed.hpp"
 #include "tests/unit/driven_axis.hpp"
@@ -14,31 +18,28 @@ host::ModelError error(double value, double low, double high) {
   return {.value = value, .interval90 = {low, high}};
 }
 
-/// The feed's, of a datasheet that is off by 0.20, 0.19 .. 0.21.
-host::Comparisons comparisons(const host::ModelError& refit, double noise_floor) {
-  host::Comparisons all;
-  host::ModelComparison& feed = all[static_cast<std::size_t>(gap::Balance::kFeedForce)].emplace();
-  feed.datasheet = error(0.20, 0.19, 0.21);
-  feed.refit = refit;
-  feed.noise_floor = noise_floor;
-  return all;
+/// Of a datasheet's model that is off by 0.20, 0.19 .. 0.21.
+host::ModelComparison beside(const host::ModelError& refit, double noise_floor) {
+  host::ModelComparison models;
+  models.datasheet = error(0.20, 0.19, 0.21);
+  models.refit = refit;
+  models.noise_floor = noise_floor;
+  return models;
 }
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 TEST(LostModel, IsFarBeyondRandomForcesOrBehindTheDatasheet) {
-  EXPECT_EQ(host::lost_balance(comparisons(error(0.10, 0.09, 0.11), 0.02)), gap::Balance::kFeedForce);
-  EXPECT_EQ(host::lost_balance(comparisons(error(0.29, 0.27, 0.31), 0.25)), gap::Balance::kFeedForce);
+  EXPECT_TRUE(host::is_lost(beside(error(0.10, 0.09, 0.11), 0.02)));
+  EXPECT_TRUE(host::is_lost(beside(error(0.29, 0.27, 0.31), 0.25)));
+  EXPECT_TRUE(host::is_lost(beside(error(kUnknown, kUnknown, kUnknown), 0.25))) << "it diverges";
 }
 
 TEST(LostModel, IsNoneThatRandomForcesMayMake) {
-  EXPECT_FALSE(host::lost_balance(comparisons(error(0.10, 0.07, 0.11), 0.02)))
-      << "it may be less than 4 times";
-  EXPECT_FALSE(host::lost_balance(comparisons(error(0.26, 0.22, 0.31), 0.25))) << "it may be the datasheet's";
-  EXPECT_FALSE(host::lost_balance({})) << "nothing was compared";
-}
-
-TEST(LostModel, IsNotKnownWithoutAnInterval) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(host::lost_balance(comparisons(error(0.9, kUnknown, kUnknown), 0.02)));
+  EXPECT_FALSE(host::is_lost(beside(error(0.10, 0.07, 0.11), 0.02))) << "it may be less than 4 times";
+  EXPECT_FALSE(host::is_lost(beside(error(0.26, 0.22, 0.31), 0.25))) << "it may be the datasheet's";
+  EXPECT_FALSE(host::is_lost(beside(error(0.90, kUnknown, kUnknown), 0.02))) << "nobody knows how far";
+  EXPECT_FALSE(host::is_lost(std::nullopt)) << "nothing was compared";
 }
 
 /// A slide of 60 kg with good sensors.
@@ -57,18 +58,30 @@ double strokes_m(double time_s) {
   return std::min(back_and_forth_m, 2.0 * kStrokeM - back_and_forth_m);
 }
 
+/// The feed's balance is the only one. `viscosity_at`: as in DrivenAxis.
+DiagnosisResult diagnosed_on(const std::function<double(double)>& viscosity_at) {
+  DrivenAxis axis{.rate_hz = 1000.0, .rows = 10000, .position_noise_m = 2.0e-6, .wanted_m = strokes_m};
+  axis.configuration = heavy(axis.configuration);
+  axis.viscosity_at = viscosity_at;
+  MachineDescription sheet = datasheet(0.05);
+  sheet.configuration = heavy(sheet.configuration);
+  return diagnosed(record(axis), sheet);
+}
+
 // A guide that is tight here and loose there was "no_gap" or a wrong datasheet, with residual ratios
 // of 1.000.
 TEST(LostModel, IsOfAGuideThatIsTighterHereThanThere) {
-  DrivenAxis axis{.rate_hz = 1000.0, .rows = 10000, .position_noise_m = 2.0e-6, .wanted_m = strokes_m};
-  axis.configuration = heavy(axis.configuration);
-  axis.viscosity_at = [](double m) { return 1.0 + 0.4 * std::cos(2.0 * std::numbers::pi * m / 0.55); };
-  MachineDescription sheet = datasheet(0.05);
-  sheet.configuration = heavy(sheet.configuration);
-  const auto result = diagnosed(record(axis), sheet);
+  const auto result =
+      diagnosed_on([](double m) { return 1.0 + 0.4 * std::cos(2.0 * std::numbers::pi * m / 0.55); });
   EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
   EXPECT_THAT(result.explanation, testing::HasSubstr("runs free is lost in feed_force"));
   EXPECT_TRUE(result.has_place());
+  EXPECT_EQ(result.unexplained_share, 1.0);
+}
+
+TEST(LostModel, IsNotOfAGuideThatIsTheSameEverywhere) {
+  const auto result = diagnosed_on([](double) { return 1.2; });
+  EXPECT_EQ(result.verdict, host::Verdict::kParameterError) << said(result);
 }
 
 }  // namespace

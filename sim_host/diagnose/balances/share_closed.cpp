@@ -137,17 +137,14 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
   return runs_as_far(shrinkage.free_run_nrmse) || std::any_of(where.begin(), where.end(), shows_much);
 }
 
-std::optional<gap::Balance> lost_balance(const Comparisons& free_run) {
+bool is_lost(const std::optional<ModelComparison>& free_run) {
   constexpr double kBeyondRandomForces = 4.0;
   constexpr double kBeyondDatasheet = 1.25;
-  for (std::size_t b = 0; b < free_run.size(); ++b) {
-    if (!free_run[b]) continue;
-    const auto& [datasheet, refit, with_effect, noise_floor, sensor_floor] = *free_run[b];
-    if (refit.interval90[0] > kBeyondRandomForces * noise_floor ||
-        refit.interval90[0] > kBeyondDatasheet * datasheet.interval90[1])
-      return static_cast<gap::Balance>(b);
-  }
-  return std::nullopt;
+  if (!free_run) return false;
+  const ModelError& refit = free_run->refit;
+  if (!std::isfinite(refit.value)) return std::isfinite(free_run->datasheet.value);
+  return refit.interval90[0] > kBeyondRandomForces * free_run->noise_floor ||
+         refit.interval90[0] > kBeyondDatasheet * free_run->datasheet.interval90[1];
 }
 
 }  // namespace morepro::host

@@ -51,10 +51,10 @@ double share_kept(const BalanceResult& balance, double visible = 1.3);
 /// names none left as much (0.17 and 0.44 the most).
 bool keeps_a_gap(const Shrinkage& shrinkage, std::span<const BalanceResult> where);
 
-/// The balance in which a refitted model that runs free is lost, in pieces that it was not fitted to: far
-/// beyond what the random forces make that an observer took the rest for, or farther off than the datasheet's
-/// model. What comes back at a place or with every turn passes for random forces where an observer may follow
-/// it. Of 215 machines without a gap none was beyond 2.9 times the noise, nor beyond 1.02 of the datasheet's.
-std::optional<gap::Balance> lost_balance(const Comparisons& free_run);
+/// Is a refitted model lost that runs free, in pieces that it was not fitted to? Then it is far beyond what
+/// the random forces make that an observer took the rest for, or farther off than the datasheet's model. What
+/// comes back at a place or with every turn passes for random forces where an observer may follow it. Of 215
+/// machines without a gap none was beyond 2.9 times the noise, nor beyond 1.02 of the datasheet's.
+bool is_lost(const std::optional<ModelComparison>& free_run);
 
 }  // namespace morepro::host

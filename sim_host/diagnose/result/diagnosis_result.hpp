@@ -133,8 +133,9 @@ struct DiagnosisResult {
   std::vector<EffectResult> which;
   Shrinkage shrinkage;
   std::vector<ParameterResult> parameters;
-  double unexplained_evidence = 0.0;                ///< of structure without a name
-  double unexplained_share = 0.0;                   ///< of what the datasheet's model leaves beyond noise
+  double unexplained_evidence = 0.0;  ///< of structure without a name
+  /// Of what the datasheet's model leaves beyond noise; all of it where a model that runs free is lost.
+  double unexplained_share = 0.0;
   std::vector<FollowedSignal> unexplained_follows;  ///< by that structure, in each balance the best first
   double threshold_evidence = 0.0;
   double temperature = 1.0;

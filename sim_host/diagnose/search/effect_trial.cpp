@@ -52,19 +52,20 @@ double largest_bend(gap::Effect effect, const AxisFit& fit) {
   }
 }
 
-/// Would a drive or a motor that saturates push the other way at something that the recording asks of it?
+/// Would a drive or a motor that saturates push the other way at something that the recording asks of it? It
+/// loses a share of that, which is the first part of its law times the square and the bend times the fourth
+/// power. A little more than all of it may be what two parts make of a hard limit.
 bool turns_round(const gap::AppliedEffect& effect, const AxisFit& fit) {
+  constexpr double kMostLost = 1.2;
   const gap::Effect own = effect.form.effect;
   const bool is_drive = own == gap::Effect::kFeedForceSaturation;
   if (!is_drive && own != gap::Effect::kTorqueConstantSaturation) return false;
-  // What it loses, as a share, is a x + b x^2, with x the square of what is asked.
   const double most = fit.signals().largest(is_drive ? Channel::kFeedForce : Channel::kArmatureCurrent);
-  const double largest = most * most;
-  const double a = effect.coefficient[0];
-  const double b =
-      effect.form.parts > 1 && largest > 0.0 ? effect.coefficient[1] * largest_bend(own, fit) / largest : 0.0;
-  const double at_peak = -a / (2.0 * b) < largest ? -a * a / (4.0 * b) : 0.0;
-  return std::max((a + b * largest) * largest, b < 0.0 && a > 0.0 ? at_peak : 0.0) > 1.0;
+  const double first = effect.coefficient[0] * most * most;
+  const double bend =
+      effect.form.parts > 1 ? effect.coefficient[1] * largest_bend(own, fit) * most * most : 0.0;
+  const bool peaks_before = first > 0.0 && bend < 0.0 && first < -2.0 * bend;
+  return std::max(first + bend, peaks_before ? -first * first / (4.0 * bend) : 0.0) > kMostLost;
 }
 
 /// Are they the same, or parts of one friction of the same axis?

@@ -23,7 +23,8 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
 /// be anywhere.
 bool is_bent(const AxisFit& fit);
 
-/// A size of the sign that no machine has, where it acts most: what a fit makes of another effect's shape.
+/// A size of the sign that no machine has, where it acts most, or a saturation until what saturates pushes
+/// back: what a fit makes of another effect's shape.
 /// Less friction at rest than in motion, or a drag that falls behind the speed, is a shape; beside one of its
 /// kind that the machine file states, what is missing may have either sign, unless that is no size at all.
 bool acts_the_wrong_way(const gap::AppliedEffect& effect, const AxisFit& fit);
