@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "sim_host/support/printable.hpp"
@@ -20,6 +21,15 @@ void add_report_option(CLI::App& command, std::string& file) {
 
 void add_text_option(CLI::App& command, std::string& file) {
   command.add_option("--out", file, "write what is printed to a file; '-': on standard output");
+}
+
+void show_text(OutputFile* out, std::initializer_list<std::string_view> others, std::string_view text) {
+  if (out != nullptr) {
+    out->write(text);
+    out->commit();
+  } else if (std::ranges::find(others, "-") == others.end()) {
+    fmt::print("{}", text);
+  }
 }
 
 void add_examples(CLI::App& command, std::string_view words, std::string_view examples) {

@@ -1,9 +1,11 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
 #include "sim_host/cli/usage.hpp"
+#include "sim_host/support/output_file.hpp"
 
 namespace morepro::host {
 
@@ -30,6 +32,9 @@ void add_report_option(CLI::App& command, std::string& file);
 
 /// --out of a command whose result is a text: the file that takes it instead of standard output.
 void add_text_option(CLI::App& command, std::string& file);
+
+/// Puts that text into `out`, or on standard output where no file of `others` goes there.
+void show_text(OutputFile* out, std::initializer_list<std::string_view> others, std::string_view text);
 
 /// What stands below the options in --help: words, may be empty, and examples, which work one after the other
 /// in an empty folder.

@@ -92,11 +92,7 @@ void run(const DiagnoseArguments& arguments) {
   if (json) json->write(text);
   if (page) page->write(report->html(text, command_line(), {arguments.recording, arguments.machine}));
   if (applied) applied->write(machine_file_text(with_effects));
-  if (out)
-    out->write(diagnosis_text(result));
-  else if (arguments.json != "-" && arguments.apply != "-" && arguments.report != "-")
-    fmt::print("{}", diagnosis_text(result));
-  if (out) out->commit();
+  show_text(out.get(), {arguments.json, arguments.apply, arguments.report}, diagnosis_text(result));
   if (json) json->commit();
   if (applied) applied->commit();
   if (page) page->commit();

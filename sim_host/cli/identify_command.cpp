@@ -132,11 +132,7 @@ void run(const IdentifyArguments& arguments) {
     report->take(signals, machine, identified);
     page->write(report->html(text, command_line(), {arguments.recording, arguments.machine}));
   }
-  if (out)
-    out->write(identification_text(result));
-  else if (arguments.json != "-" && arguments.apply != "-" && arguments.report != "-")
-    fmt::print("{}", identification_text(result));
-  if (out) out->commit();
+  show_text(out.get(), {arguments.json, arguments.apply, arguments.report}, identification_text(result));
   if (json) json->commit();
   if (applied) applied->commit();
   if (page) page->commit();

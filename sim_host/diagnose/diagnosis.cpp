@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -29,11 +30,10 @@
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/winding_heat.hpp"
 #include "sim_host/diagnose/signals/current_drive.hpp"
-#include "sim_host/diagnose/signals/differenced_speed.hpp"
-#include "sim_host/diagnose/signals/lone_samples.hpp"
 #include "sim_host/diagnose/signals/reference_scales.hpp"
 #include "sim_host/diagnose/signals/sampling_checks.hpp"
 #include "sim_host/diagnose/signals/slow_motion.hpp"
+#include "sim_host/diagnose/signals/sound_samples.hpp"
 #include "sim_host/machine/setting_key.hpp"
 #include "sim_host/simulate/operating_point.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -65,17 +65,7 @@ class Diagnosis {
                                             kChannels[index_of(channel)].column));
     if (machine_.has_spindle) drive_by_current(signals_);
     for (std::string& lack : untested_effects(signals_, machine_)) result_.notices.push_back(std::move(lack));
-    faults_ = find_quantization(signals_, sensors);
-    for (const Channel channel : allow_for_differences(signals_, sensors))
-      result_.notices.push_back(fmt::format(
-          "{} is the difference of a rounded position: twice the variance of its steps is taken for noise",
-          kChannels[index_of(channel)].column));
-    if (auto dropout = find_dropout(signals_, sensors)) faults_.push_back(*dropout);
-    if (signals_.missing_rows > 0) doubt_lost_inputs(signals_);
-    for (const LoneSamples& lone : leave_out_lone_samples(signals_, sensors))
-      result_.notices.push_back(sentence_of(lone, signals_));
-    calm_temperatures(signals_);
-    follow_motion(signals_);
+    faults_ = make_sound(signals_, sensors, result_.notices);
     datasheet_ = {.machine = machine_.configuration.machine,
                   .point = reference_point_for(machine_, signals_),
                   .noise = usual_noise(sensors)};
@@ -159,20 +149,16 @@ class Diagnosis {
     std::vector<const AxisFit*> fits;
     for (const AxisOutcome& outcome : outcomes_) fits.push_back(&outcome.diagnosis.fit);
     const auto [jitter, of_law, fit, sensor] = find_shaking(fits);
-    constexpr double kLeastShareOfJitter = 0.05;
-    if (jitter && jitter->evidence >= kLeastShareOfJitter * named_deviance_of(outcomes_))
-      faults_.push_back(*jitter);
+    constexpr double kLeastShare = 0.05;  // of the evidence that is named
+    if (jitter && jitter->evidence >= kLeastShare * named_deviance_of(outcomes_)) faults_.push_back(*jitter);
     if (of_law > 0.0) outcomes_[fit].keep_without_name(of_law, sensor == 0 ? 1.0 : 0.0);
   }
 
   void judge() {
-    double named = 0.0;
-    double known = 0.0;
-    double unnamed = 0.0;
+    double named = 0.0, known = 0.0, unnamed = 0.0;
     double deviance = 0.0;  // of what is unnamed
     std::size_t causes = 0;
-    bool has_wrong_parameters = false;
-    bool has_excitation = false;
+    bool has_wrong_parameters = false, has_excitation = false;
     for (const AxisOutcome& outcome : outcomes_) {
       result_.threshold_evidence = std::max(result_.threshold_evidence, outcome.threshold());
       result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
@@ -188,13 +174,12 @@ class Diagnosis {
     }
     result_.bootstrap_runs = options_.bootstrap_runs;
     result_.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
-    const bool has_effect = causes > 0 || !faults_.empty();
     if (deviance < structure_left_by(faults_) * static_cast<double>(signals_.rows)) unnamed = 0.0;
     if (outcomes_.empty() || !has_excitation)
       result_.verdict = Verdict::kInsufficientExcitation;
     else if (unnamed > most_unnamed(causes) * (known + named + unnamed))
       result_.verdict = Verdict::kUnexplained;
-    else if (has_effect)
+    else if (causes > 0 || !faults_.empty())
       result_.verdict = Verdict::kEffect;
     else
       result_.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
@@ -223,14 +208,10 @@ class Diagnosis {
     return std::ranges::count(result_.which, effect, &EffectResult::effect) > 0;
   }
 
-  [[nodiscard]] bool names_a_play() const {
-    return std::ranges::any_of(result_.which, keeps_its_side, &EffectResult::effect);
-  }
-
   /// Rows, and pieces that were not fitted to, have the last word on whether names explain the gap.
   void reconsider() {
-    const bool has_say =
-        result_.verdict != Verdict::kInsufficientExcitation && faults_.empty() && !names_a_play();
+    const bool has_play = std::ranges::any_of(result_.which, keeps_its_side, &EffectResult::effect);
+    const bool has_say = result_.verdict != Verdict::kInsufficientExcitation && faults_.empty() && !has_play;
     if (has_say && result_.which.empty() && !is_unexplained()) mark_lost();
     if (!lost_.empty()) return;
     const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
@@ -264,8 +245,7 @@ class Diagnosis {
     for (const SamplingFault& fault : faults_)
       if (!is_named(fault.effect)) result_.which.push_back(named_fault(fault));
     for (const AxisOutcome& outcome : outcomes_) rank(outcome);
-    std::stable_sort(result_.which.begin(), result_.which.end(),
-                     [](const EffectResult& a, const EffectResult& b) { return a.evidence > b.evidence; });
+    std::ranges::stable_sort(result_.which, std::greater{}, &EffectResult::evidence);
   }
 
   /// Each cause with what gives it its shape.

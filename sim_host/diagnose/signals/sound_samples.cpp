@@ -1,0 +1,26 @@
+#include "sim_host/diagnose/signals/sound_samples.hpp"
+
+#include <fmt/format.h>
+
+#include "sim_host/diagnose/signals/differenced_speed.hpp"
+#include "sim_host/diagnose/signals/lone_samples.hpp"
+
+namespace morepro::host {
+
+std::vector<SamplingFault> make_sound(RecordingSignals& signals, Sensors& sensors,
+                                      std::vector<std::string>& notices) {
+  std::vector<SamplingFault> faults = find_quantization(signals, sensors);
+  for (const Channel channel : allow_for_differences(signals, sensors))
+    notices.push_back(fmt::format(
+        "{} is the difference of a rounded position: twice the variance of its steps is taken for noise",
+        kChannels[index_of(channel)].column));
+  if (auto dropout = find_dropout(signals, sensors)) faults.push_back(*dropout);
+  if (signals.missing_rows > 0) doubt_lost_inputs(signals);
+  for (const LoneSamples& lone : leave_out_lone_samples(signals, sensors))
+    notices.push_back(sentence_of(lone, signals));
+  calm_temperatures(signals);
+  follow_motion(signals);
+  return faults;
+}
+
+}  // namespace morepro::host
