@@ -272,7 +272,8 @@ class Diagnosis {
     const gap::EffectScales<double> scales(fit.model().machine, datasheet_.point);
     effect.magnitude = gap::size_of(gap::restated(finding.effect, recording_scales(), file_scales()), scales);
     effect.standard_error = std::fabs(effect.magnitude) * relative_size_error(finding, fit, temperature);
-    if (has_no_size(effect.effect, signals_)) effect.magnitude = effect.standard_error = std::nan("");
+    if (has_no_size(effect.effect, signals_) || is_of_swinging_slide(finding.effect))
+      effect.magnitude = effect.standard_error = std::nan("");
     return effect;
   }
 

@@ -47,7 +47,7 @@ void SignalsReport::take(const RecordingSignals& signals, const MachineDescripti
     GapModel model{.machine = identified.configuration.machine,
                    .point = reference_point_for(datasheet, signals),
                    .noise = usual_noise(datasheet.configuration.sensors)};
-    fit_noise(axis, signals, usual_noise(datasheet.configuration.sensors), kUsualNoiseShare, false, model);
+    fit_noise(axis, signals, usual_noise(datasheet.configuration.sensors), NoiseBounds{}, false, model);
     GapModel before = model;
     before.machine = datasheet.configuration.machine;
     const std::array models{NamedModel{"datasheet", "datasheet", before},

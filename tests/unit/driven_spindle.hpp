@@ -26,6 +26,7 @@ struct DrivenSpindle {
   };
   /// Share of the datasheet's inductance at an angle in rad.
   std::function<double(double)> inductance_at = [](double) { return 1.0; };
+  bool cuts = true;  ///< else it turns in the air, and nobody records a contact
 };
 
 /// Both ways at several speeds, shaken.
@@ -56,10 +57,10 @@ inline RecordingSignals record(const DrivenSpindle& spindle) {
   for (std::size_t row = 0; row < signals.rows; ++row) {
     const double time_s = signals.time_s(row);
     const double voltage_v = driving_v(time_s);
-    const double contact = std::fmod(time_s, 0.25) < 0.15 ? 1.0 : 0.0;
+    const double contact = spindle.cuts && std::fmod(time_s, 0.25) < 0.15 ? 1.0 : 0.0;
     show(signals, Channel::kArmatureVoltage, voltage_v);
-    show(signals, Channel::kContact, contact);
-    show(signals, Channel::kToolTemperature, tool_degc);
+    if (spindle.cuts) show(signals, Channel::kContact, contact);
+    if (spindle.cuts) show(signals, Channel::kToolTemperature, tool_degc);
     show_noisy(Channel::kSpindleSpeed, x.speed_rad_s);
     show_noisy(Channel::kArmatureCurrent, x.current_a);
     for (int step = 0; step < kSteps; ++step) {

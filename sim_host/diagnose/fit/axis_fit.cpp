@@ -245,7 +245,7 @@ std::array<GapModel, 2> AxisFit::cross_fitted(double block_s, std::size_t blocks
   return models;
 }
 
-void AxisFit::expect_little_noise() { expect_process_noise(least_noise_share_, change_model().noise); }
+void AxisFit::expect_little_noise() { expect_process_noise(noise_bounds_.least_share, change_model().noise); }
 
 void AxisFit::refit() {
   Trial best = tried();
@@ -255,7 +255,7 @@ void AxisFit::refit() {
 }
 
 void AxisFit::match_noise() {
-  fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), change_model());
+  fit_noise(axis_, *signals_, datasheet_.noise, noise_bounds_, is_narrow(), change_model());
   take_rest(tried().statistics);
 }
 
@@ -337,7 +337,7 @@ void AxisFit::take_turns(int most_rounds, double rival) {
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < kMostInVain; ++round) {
     const bool has_changed =
-        fit_noise(axis_, *signals_, datasheet_.noise, least_noise_share_, is_narrow(), change_model());
+        fit_noise(axis_, *signals_, datasheet_.noise, noise_bounds_, is_narrow(), change_model());
     if (!has_changed && std::isfinite(best.unlikeliness_)) break;
     refit();
     if (!std::isfinite(unlikeliness_)) break;

@@ -18,6 +18,8 @@ namespace morepro::host {
 
 /// A parameter that the recording leaves uncertain by this share was not found in it.
 inline constexpr double kTold = 0.1;
+/// By more than this factor no datasheet is wrong about a mass, an inertia or a motor.
+inline constexpr double kFarthestDatasheet = 2.0;
 
 /// One axis of the machine with the model that fits it best so far.
 class AxisFit {
@@ -30,7 +32,13 @@ class AxisFit {
   /// From now on process noise may be fitted far below what observers usually assume: where nothing but the
   /// controller's answer to the sensors' noise excites an axis, an observer that expects more noise than
   /// there is takes a wrong mass for the better one.
-  void allow_little_noise() { least_noise_share_ = kLittleNoiseShare; }
+  void allow_little_noise() { noise_bounds_.least_share = kLittleNoiseShare; }
+
+  /// From now on no more process noise may be fitted than this share of the sensors': where impacts pass for
+  /// noise that is always there, and the controller answers the sensors' noise, an observer that trusts its
+  /// sensors finds that answer in its own error, as the work of a mass that is tens of times lighter.
+  void allow_noise_up_to(double share) { noise_bounds_.most_share = share; }
+  [[nodiscard]] double most_noise_share() const { return noise_bounds_.most_share; }
 
   /// The least process noise that may be fitted, to begin with.
   void expect_little_noise();
@@ -101,6 +109,8 @@ class AxisFit {
   /// farthest one of motor, inertia and mass. The contact torque of a machine file that is wrong counts as
   /// another motor: it alone fixes the common factor of torque constant and inertia.
   [[nodiscard]] double farthest_factor() const;
+  /// Has it left its machine? No datasheet is off by that much.
+  [[nodiscard]] bool has_gone_astray() const { return farthest_factor() > kFarthestDatasheet; }
   /// Does the recording tell this parameter?
   [[nodiscard]] bool tells(Eigen::Index parameter) const {
     return parameter < standard_error_.size() && standard_error_(parameter) < kTold;
@@ -193,7 +203,7 @@ class AxisFit {
   GapModel datasheet_;
   GapModel model_;
   Whitening whitening_;
-  double least_noise_share_ = kUsualNoiseShare;
+  NoiseBounds noise_bounds_;
   double unlikeliness_ = kNone;
   std::optional<Memory> memory_{};   ///< of past innovations, beside noise that lasts
   const InputNews* news_ = nullptr;  ///< that are weighed along

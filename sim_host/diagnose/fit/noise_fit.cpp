@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "sim_host/diagnose/fit/innovation_pass.hpp"
@@ -11,7 +12,6 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kMostShare = 100.0;
 constexpr std::size_t kStretches = 4;
 constexpr std::size_t kStretchRows = 2500;
 constexpr std::size_t kRoughRows = 1200;
@@ -89,12 +89,16 @@ void expect_process_noise(double share, gap::GapNoise<double>& noise) {
 }
 
 bool fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
-               double least_share, bool is_rough, GapModel& model) {
+               const NoiseBounds& bounds, bool is_rough, GapModel& model) {
   auto& noise = model.noise;
+  for (auto [step, variance] : {std::pair{&noise.speed_step, noise.speed_variance},
+                                {&noise.current_step, noise.current_variance},
+                                {&noise.feed_step, noise.feed_speed_variance}})
+    *step = std::min(*step, bounds.most_share * std::sqrt(variance));
   NoiseSearch noises(axis, signals, model, is_rough ? kRoughRows : kStretchRows);
   const auto search_step = [&](double& step, double sensor_variance) {
     const double sensor = std::sqrt(sensor_variance);
-    return noises.search(step, least_share * sensor, kMostShare * sensor);
+    return noises.search(step, bounds.least_share * sensor, bounds.most_share * sensor);
   };
   if (axis == Axis::kFeed) {
     bool has_changed = search_step(noise.feed_step, noise.feed_speed_variance);

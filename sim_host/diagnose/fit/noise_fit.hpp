@@ -13,6 +13,13 @@ inline constexpr double kLittleNoiseShare = 1.0e-4;
 /// regression has them, wherever they begin, and random forces may move an axis by more than its sensors'
 /// noise.
 inline constexpr double kTrustingNoiseShare = 3.0;
+inline constexpr double kLargestNoiseShare = 100.0;
+
+/// Of the process noise, as shares of the sensor's.
+struct NoiseBounds {
+  double least_share = kUsualNoiseShare;
+  double most_share = kLargestNoiseShare;
+};
 
 /// Sensor variances of the machine file, and the usual process noise.
 gap::GapNoise<double> usual_noise(const Sensors& sensors);
@@ -21,9 +28,9 @@ gap::GapNoise<double> usual_noise(const Sensors& sensors);
 void expect_process_noise(double share, gap::GapNoise<double>& noise);
 
 /// Chooses the process noise of one axis under which the innovations are most likely, on some stretches of
-/// the recording, shorter ones for a rough answer; not below `least_share`. Of a thinned recording the
-/// position's noise too, which may be less than `stated`, the machine file's. Has it changed?
+/// the recording, shorter ones for a rough answer; within `bounds`. Of a thinned recording the position's
+/// noise too, which may be less than `stated`, the machine file's. Has it changed?
 bool fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
-               double least_share, bool is_rough, GapModel& model);
+               const NoiseBounds& bounds, bool is_rough, GapModel& model);
 
 }  // namespace morepro::host

@@ -53,9 +53,8 @@ constexpr double kBesideUnexplained = 0.1;
 // other simulators). A law that bends is judged by its evidence alone.
 constexpr double kUnsureSize = 1.0 / 6.0;
 constexpr double kUnsure = 0.2;
-// Beside a motor or a mass that is twice the datasheet's or half of it: of eight names of tests/blind and our
-// own sweeps none was right, of 1330 others (factors up to 1.92) 95 %. The datasheet may be the wrong one.
-constexpr double kAnotherMachine = 2.0;
+// Beside a fit that has gone astray: of eight names of tests/blind and our own sweeps none was right, of 1330
+// others (factors up to 1.92) 95 %. The datasheet may be the wrong one.
 constexpr double kOfAnotherMachine = 0.2;
 // Of a second pole: nine sums with it were off by 0.4 of it, as a root mean square, without it by 0.9.
 constexpr double kOfShape = 0.5;
@@ -143,7 +142,11 @@ std::span<const Effect> untried_aliases(Effect effect, const AxisFit& fit) {
 
 bool is_sized(const Finding& finding, const AxisFit& fit, double temperature) {
   const bool is_bent = finding.effect.form.parts > 1 && gap::bends(finding.effect.form.effect);
-  return is_bent || relative_size_error(finding, fit, temperature) < kUnsureSize;
+  if (is_bent || relative_size_error(finding, fit, temperature) < kUnsureSize) return true;
+  // Without a contact nothing tells how strong a motor is: all torques are known to a common factor only.
+  const double beside_inertia = fit.relative_error_beside_inertia_of(finding.effect.form.effect);
+  return fit.axis() == Axis::kSpindle && beside_inertia > 0.0 &&
+         beside_inertia * std::sqrt(temperature) < kUnsureSize;
 }
 
 /// Error of a size, as a share of it, from a shape that is not quite the machine's. When the ends of a play
@@ -199,7 +202,7 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
     effect.confidence *= context.is_strongest ? kStrongestOfMany : kOneOfMany;
   if (context.may_be_one) effect.confidence *= context.is_strongest ? kStrongerOfTwo : kWeakerOfTwo;
   if (finding.kept < kUsuallyKept) effect.confidence *= kWandering;
-  if (context.farthest_factor > kAnotherMachine) effect.confidence *= kOfAnotherMachine;
+  if (context.farthest_factor > kFarthestDatasheet) effect.confidence *= kOfAnotherMachine;
   if (!is_sized(finding, fit, context.temperature)) effect.confidence *= kUnsure;
   return effect;
 }
@@ -224,6 +227,11 @@ void take_shape(const EffectResult& shape, EffectResult& cause) {
   if (std::find(aliases.begin(), aliases.end(), shape.effect) != aliases.end()) return;
   if (aliases.size() == kMostAliases) aliases.pop_back();
   aliases.push_back(shape.effect);
+}
+
+bool is_of_swinging_slide(const gap::AppliedEffect& effect) {
+  constexpr double kHeaviest = 6.0;  // times the drive; right ones 0.3 to 1.5, such ones 9 and 25
+  return effect.form.effect == Effect::kFeedBacklash && effect.coefficient[0] > kHeaviest;
 }
 
 // What blocks of time disagree on more than noise lets expect is in the temperature.
