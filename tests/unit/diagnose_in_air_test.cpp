@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
+#include <string>
 
 #include "tests/unit/driven_spindle.hpp"
 
@@ -24,7 +26,14 @@ void expect_sure(const DiagnosisResult& result, Effect effect) {
 // Both were right at a confidence of 0.20, because their size is known to three standard errors.
 TEST(SpindleInTheAir, HasAFriction) {
   const auto brake_at = [](const SpindleState& x, double) { return 0.02 * std::tanh(x.speed_rad_s / 0.5); };
-  expect_sure(in_the_air(brake_at), Effect::kSpindleCoulombFriction);
+  const auto result = in_the_air(brake_at);
+  expect_sure(result, Effect::kSpindleCoulombFriction);
+  ASSERT_EQ(result.parameters.size(), 6U);
+  // Not "it needs different speeds", of which there are six.
+  for (const auto& parameter : std::span(result.parameters).first(3)) {
+    EXPECT_FALSE(parameter.is_identifiable) << parameter.name;
+    EXPECT_NE(parameter.reason.find("one common factor"), std::string::npos) << parameter.reason;
+  }
 }
 
 TEST(SpindleInTheAir, Cogs) {

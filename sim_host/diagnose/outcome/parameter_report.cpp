@@ -16,6 +16,11 @@ constexpr const char* kWithOffset =
 
 // Torque constant, friction and inertia have one common factor, which nothing but the contact torque fixes.
 constexpr const char* kGivenContact = "as far as the contact torque of the machine file is right";
+constexpr const char* kWithoutContact =
+    "without a contact nothing but the effects in the model fixes the common factor of torque, friction and "
+    "inertia";
+constexpr const char* kOneFactor =
+    "torque, friction and inertia have one common factor until a known contact load fixes it";
 constexpr const char* kNeedsVoltage = "it needs the armature voltage, which is not recorded";
 constexpr double kOneMotor = 0.05;  // by which the two constants of a motor may differ
 
@@ -33,8 +38,7 @@ std::vector<Named> named(const AxisFit& fit) {
   const auto& f0 = fit.datasheet().machine.feed;
   if (fit.axis() == Axis::kSpindle)
     return {
-        {"torque_constant_nm_a", s0.torque_constant_nm_a, s.torque_constant_nm_a,
-         "torque, friction and inertia have one common factor until a known contact load fixes it"},
+        {"torque_constant_nm_a", s0.torque_constant_nm_a, s.torque_constant_nm_a, kOneFactor},
         {"viscous_friction_nms_rad", s0.viscous_friction_nms_rad, s.viscous_friction_nms_rad,
          "it needs different speeds without contact"},
         {"inertia_kgm2", s0.inertia_kgm2, s.inertia_kgm2, "it needs accelerations and a known contact load"},
@@ -71,6 +75,7 @@ double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
 std::string assumption_of(const AxisFit& fit, std::size_t index) {
   if (fit.axis() == Axis::kFeed) return index == 2 && !fit.tells_engaged_load() ? kWithOffset : "";
   if (is_electric(fit, index)) return "";
+  if (!fit.signals().has_been_in_contact()) return kWithoutContact;
   if (!fit.signals().has_electrics()) return kGivenContact;
   const auto& s = fit.model().machine.spindle;
   const double ratio = s.torque_constant_nm_a / s.back_emf_constant_vs_rad;
@@ -78,6 +83,12 @@ std::string assumption_of(const AxisFit& fit, std::size_t index) {
   if (index > 0 || is_one_motor) return kGivenContact;
   return fmt::format("{}: it is {:.3g} times the back-EMF constant, and of one motor both are the same",
                      kGivenContact, ratio);
+}
+
+/// What would tell a value that the recording does not tell.
+std::string advice_for(const AxisFit& fit, std::size_t index, const Named& value) {
+  const bool is_torque = fit.axis() == Axis::kSpindle && !is_electric(fit, index);
+  return is_torque && !fit.signals().has_been_in_contact() ? kOneFactor : value.advice;
 }
 
 }  // namespace
@@ -90,7 +101,7 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
     const bool is_told = error < kTold * std::fabs(all[i].refit) && all[i].refit != 0.0;
     const std::string reason = is_unseen(fit, i) ? kNeedsVoltage
                                : is_told         ? assumption_of(fit, i)
-                                                 : all[i].advice;
+                                                 : advice_for(fit, i, all[i]);
     results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told, reason});
   }
   return results;
