@@ -139,7 +139,8 @@ bool leaves_noise(const AxisFit& fit) {
 
 std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   std::vector<AxisFit> fits = likeliest_fits(start);
-  if (!fits.front().has_gone_astray()) return fits;
+  // A spindle's causes bend its many parameters as far, and are told beside loud noise as well.
+  if (start.axis() != Axis::kFeed || !fits.front().has_gone_astray()) return fits;
   AxisFit calm = start;
   calm.allow_noise_up_to(kCalmNoiseShare);
   std::vector<AxisFit> others = likeliest_fits(calm);
