@@ -2,7 +2,10 @@
 // sees the noise of its sensor lets a fit leave its machine for one that is tens of times lighter.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <random>
 
 #include "tests/unit/diagnose_support.hpp"
@@ -68,7 +71,7 @@ RecordingSignals recording_of(const SwingingSlide& axis) {
   const double step_s = period_s / kSteps;
   const double slide_kg = axis.slide_share * axis.mass_kg;
   const double drive_kg = axis.mass_kg - slide_kg;
-  const double turn_rate = 2.0 * 3.141592653589793 * axis.frequency_hz;
+  const double turn_rate = 2.0 * std::numbers::pi * axis.frequency_hz;
   const double both_kg = slide_kg * drive_kg / axis.mass_kg;
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -119,6 +122,7 @@ MachineDescription sheet_of(const SwingingSlide& axis) {
 void expect_no_wrong_name(const SwingingSlide& axis) {
   const auto result = diagnosed(recording_of(axis), sheet_of(axis));
   for (const auto& named : result.which) {
+    // A width that is not told is no wrong one.
     const bool is_right = named.effect == Effect::kFeedBacklash && !(named.magnitude < 0.3 * axis.play_m);
     EXPECT_TRUE(is_right || named.confidence < 0.5) << said(result);
   }

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "tests/unit/driven_spindle.hpp"
 

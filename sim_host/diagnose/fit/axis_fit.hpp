@@ -18,7 +18,7 @@ namespace morepro::host {
 
 /// A parameter that the recording leaves uncertain by this share was not found in it.
 inline constexpr double kTold = 0.1;
-/// By more than this factor no datasheet is wrong about a mass, an inertia or a motor.
+/// By more than this factor hardly any datasheet is wrong about a mass, an inertia or a motor.
 inline constexpr double kFarthestDatasheet = 2.0;
 
 /// One axis of the machine with the model that fits it best so far.
@@ -109,7 +109,7 @@ class AxisFit {
   /// farthest one of motor, inertia and mass. The contact torque of a machine file that is wrong counts as
   /// another motor: it alone fixes the common factor of torque constant and inertia.
   [[nodiscard]] double farthest_factor() const;
-  /// Has it left its machine? No datasheet is off by that much.
+  /// Has it left its machine? Hardly any datasheet is off by that much.
   [[nodiscard]] bool has_gone_astray() const { return farthest_factor() > kFarthestDatasheet; }
   /// Does the recording tell this parameter?
   [[nodiscard]] bool tells(Eigen::Index parameter) const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/gap/dry_friction.hpp"
+#include "lib/gap/feed_observer.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -73,7 +74,7 @@ void parameters_first(AxisFit& fit) {
 }
 
 void one_step_first(AxisFit& fit, double noise) {
-  expect_process_noise(noise, fit.change_model().noise);
+  expect_process_noise(std::min(noise, fit.most_noise_share()), fit.change_model().noise);
   fit.refit();
   fit.settle();
   allow_little_noise(fit);
@@ -144,14 +145,18 @@ std::vector<AxisFit> nominal_fits(const AxisFit& start) {
   AxisFit calm = start;
   calm.allow_noise_up_to(kCalmNoiseShare);
   std::vector<AxisFit> others = likeliest_fits(calm);
-  const bool is_nearer = others.front().farthest_factor() < kMuchNearer * fits.front().farthest_factor();
-  return is_nearer ? others : fits;
+  const AxisFit& other = others.front();
+  const bool is_nearer = std::isfinite(other.unlikeliness()) &&
+                         other.tells(static_cast<Eigen::Index>(gap::FeedColumn::kMass)) &&
+                         other.farthest_factor() < kMuchNearer * fits.front().farthest_factor();
+  return is_nearer ? std::move(others) : std::move(fits);
 }
 
 std::optional<AxisFit> fit_of_beginning(const AxisFit& fitted) {
   constexpr double kMuchBetter = 0.1;  // deviance per row
   const RecordingSignals beginning = beginning_of(fitted.signals(), fitted.signals().rows / 3);
-  const AxisFit start(fitted.axis(), beginning, fitted.datasheet());
+  AxisFit start(fitted.axis(), beginning, fitted.datasheet());
+  start.allow_noise_up_to(fitted.most_noise_share());
   const AxisFit of_all = with_model_of(fitted, start);
   const std::vector<AxisFit> alone = nominal_fits(start);
   const double gain = of_all.unlikeliness_as_it_is() - alone.front().unlikeliness();

@@ -145,8 +145,8 @@ bool is_sized(const Finding& finding, const AxisFit& fit, double temperature) {
   if (is_bent || relative_size_error(finding, fit, temperature) < kUnsureSize) return true;
   // Without a contact nothing tells how strong a motor is: all torques are known to a common factor only.
   const double beside_inertia = fit.relative_error_beside_inertia_of(finding.effect.form.effect);
-  return fit.axis() == Axis::kSpindle && beside_inertia > 0.0 &&
-         beside_inertia * std::sqrt(temperature) < kUnsureSize;
+  const bool is_in_air = fit.axis() == Axis::kSpindle && !fit.signals().has_been_in_contact();
+  return is_in_air && beside_inertia > 0.0 && beside_inertia * std::sqrt(temperature) < kUnsureSize;
 }
 
 /// Error of a size, as a share of it, from a shape that is not quite the machine's. When the ends of a play

@@ -375,7 +375,8 @@ Shaking find_shaking(std::span<const AxisFit* const> fits) {
   if (exceeds_stated_noise(first))
     of_law = {.of_law = witness.evidence, .fit = witness.fit, .sensor = witness.sensor};
   // A mass that is a seventieth of the machine's makes a jitter of every force that is missing.
-  if (fits[witness.fit]->has_gone_astray() ||
+  const AxisFit& shaken = *fits[witness.fit];
+  if ((shaken.axis() == Axis::kFeed && shaken.has_gone_astray()) ||
       is_shared_by_law(doubt_about(first).shared, best, period_s, kLeastSharedAtFirst))
     return of_law;
   const Judged last = with_its_noise(fits, first, period_s);

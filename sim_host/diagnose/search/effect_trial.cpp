@@ -89,7 +89,8 @@ AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const Axi
   if (without.in_part - best.unlikeliness() > kKept * candidate.evidence) return best;
   AxisFit trusting = at_datasheet(fit);
   trusting.change_model().effects.push_back(beginning_of(candidate));
-  expect_process_noise(kTrustingNoiseShare, trusting.change_model().noise);
+  const double share = std::min(kTrustingNoiseShare, trusting.most_noise_share());
+  expect_process_noise(share, trusting.change_model().noise);
   trusting.settle_roughly(kDuelRounds, without);
   return trusting.unlikeliness() < best.unlikeliness() ? trusting : best;
 }
