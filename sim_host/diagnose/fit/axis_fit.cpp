@@ -245,7 +245,9 @@ std::array<GapModel, 2> AxisFit::cross_fitted(double block_s, std::size_t blocks
   return models;
 }
 
-void AxisFit::expect_little_noise() { expect_process_noise(noise_bounds_.least_share, change_model().noise); }
+void AxisFit::expect_noise(double share) {
+  expect_process_noise(std::min(share, noise_bounds_.most_share), change_model().noise);
+}
 
 void AxisFit::refit() {
   Trial best = tried();

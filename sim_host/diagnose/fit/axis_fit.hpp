@@ -40,8 +40,10 @@ class AxisFit {
   void allow_noise_up_to(double share) { noise_bounds_.most_share = share; }
   [[nodiscard]] double most_noise_share() const { return noise_bounds_.most_share; }
 
-  /// The least process noise that may be fitted, to begin with.
-  void expect_little_noise();
+  /// This process noise to begin with, as a share of the sensors', or as much of it as may be fitted.
+  void expect_noise(double share);
+  /// The least that may be fitted, to begin with.
+  void expect_little_noise() { expect_noise(noise_bounds_.least_share); }
 
   /// From now on the fit sees a quarter of a long recording, or all of it again: how likely it is on the
   /// other is not known then.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "sim_host/diagnose/fit/innovation_pass.hpp"
@@ -91,10 +90,6 @@ void expect_process_noise(double share, gap::GapNoise<double>& noise) {
 bool fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
                const NoiseBounds& bounds, bool is_rough, GapModel& model) {
   auto& noise = model.noise;
-  for (auto [step, variance] : {std::pair{&noise.speed_step, noise.speed_variance},
-                                {&noise.current_step, noise.current_variance},
-                                {&noise.feed_step, noise.feed_speed_variance}})
-    *step = std::min(*step, bounds.most_share * std::sqrt(variance));
   NoiseSearch noises(axis, signals, model, is_rough ? kRoughRows : kStretchRows);
   const auto search_step = [&](double& step, double sensor_variance) {
     const double sensor = std::sqrt(sensor_variance);

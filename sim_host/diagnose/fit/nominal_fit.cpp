@@ -74,7 +74,7 @@ void parameters_first(AxisFit& fit) {
 }
 
 void one_step_first(AxisFit& fit, double noise) {
-  expect_process_noise(std::min(noise, fit.most_noise_share()), fit.change_model().noise);
+  fit.expect_noise(noise);
   fit.refit();
   fit.settle();
   allow_little_noise(fit);

@@ -89,8 +89,7 @@ AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const Axi
   if (without.in_part - best.unlikeliness() > kKept * candidate.evidence) return best;
   AxisFit trusting = at_datasheet(fit);
   trusting.change_model().effects.push_back(beginning_of(candidate));
-  const double share = std::min(kTrustingNoiseShare, trusting.most_noise_share());
-  expect_process_noise(share, trusting.change_model().noise);
+  trusting.expect_noise(kTrustingNoiseShare);
   trusting.settle_roughly(kDuelRounds, without);
   return trusting.unlikeliness() < best.unlikeliness() ? trusting : best;
 }
