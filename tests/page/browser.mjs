@@ -6,7 +6,7 @@ import { pathToFileURL } from "node:url";
 const { chromium } = createRequire(join(process.env.MOREPRO_PAGE_MODULES, "any.js"))("playwright-core");
 
 /** Slow machines draw 3-D in software: nothing here is a measure of speed. */
-const PATIENCE_MS = 120_000;
+export const PATIENCE_MS = 120_000;
 const SOFTWARE_3D = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 export const DESKTOP = { width: 1440, height: 900 };
