@@ -25,6 +25,7 @@
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
 #include "sim_host/diagnose/outcome/unnamed_where.hpp"
+#include "sim_host/diagnose/outcome/verdict.hpp"
 #include "sim_host/diagnose/result/unevaluated.hpp"
 #include "sim_host/diagnose/search/clock_jitter.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
@@ -32,6 +33,7 @@
 #include "sim_host/diagnose/signals/current_drive.hpp"
 #include "sim_host/diagnose/signals/reference_scales.hpp"
 #include "sim_host/diagnose/signals/sampling_checks.hpp"
+#include "sim_host/diagnose/signals/shown_noise.hpp"
 #include "sim_host/diagnose/signals/slow_motion.hpp"
 #include "sim_host/diagnose/signals/sound_samples.hpp"
 #include "sim_host/machine/setting_key.hpp"
@@ -72,13 +74,16 @@ class Diagnosis {
     if (signals_.rows >= kFewestRows) heat_winding_by_current(signals_, datasheet_);
     for (const auto& effect : machine_.effects)
       datasheet_.known.push_back(gap::restated(effect, file_scales(), recording_scales()));
-    try_axes();
+    const std::vector<ShownNoise> noisier = noisier_than_stated(signals_, sensors);
+    try_axes(noisier.empty() ? options_.bootstrap_runs : 0);
     look_for_jitter();
+    if (!noisier.empty()) try_axes_beside(noisier, sensors);
     std::erase_if(faults_, [this](const SamplingFault& fault) {
       return std::ranges::count(options_.excluded, fault.effect) > 0;
     });
     leave_out_known(machine_.effects, faults_);
-    judge();
+    result_.bootstrap_runs = options_.bootstrap_runs;
+    judge(outcomes_, faults_, signals_.rows, result_);
     rank();
     measure();
     reconsider();
@@ -128,21 +133,38 @@ class Diagnosis {
     return options;
   }
 
-  void try_axes() {
+  void try_axes(int bootstrap_runs) {
     if (signals_.rows < kFewestRows) return;
+    outcomes_.clear();
     constexpr std::array kAxes{Axis::kSpindle, Axis::kFeed};
     std::array<std::optional<AxisOutcome>, kAxes.size()> outcomes;
     for (std::size_t i = 0; i < kAxes.size(); ++i)
       share_done_[i] = is_evaluable(kAxes[i], signals_, machine_) ? 0.0 : 1.0;
     in_parallel(kAxes.size(), [&](std::size_t i) {
       if (!is_evaluable(kAxes[i], signals_, machine_)) return;
-      const DiagnosisOptions options = reporting_for(i);
+      DiagnosisOptions options = reporting_for(i);
+      options.bootstrap_runs = bootstrap_runs;
       outcomes[i] = outcome_of(kAxes[i], signals_, datasheet_, options);
       options.on_progress(1.0);
     });
     for (auto& outcome : outcomes)
       if (outcome) outcomes_.push_back(std::move(*outcome));
     conclude(outcomes_);
+  }
+
+  /// Once more with the noise that the sensors show, unless that is a clock's.
+  void try_axes_beside(std::span<const ShownNoise> noisier, Sensors& sensors) {
+    const auto shakes = [](const SamplingFault& fault) { return fault.effect == Effect::kClockJitter; };
+    if (std::erase_if(faults_, shakes) == 0) {
+      for (const ShownNoise& shown : noisier) {
+        sensors[shown.channel].noise = shown.noise;
+        machine_.configuration.sensors[shown.channel].noise = shown.noise;
+        result_.notices.push_back(sentence_of(shown));
+      }
+      datasheet_.noise = usual_noise(sensors);
+    }
+    try_axes(options_.bootstrap_runs);
+    look_for_jitter();
   }
 
   void look_for_jitter() {
@@ -152,42 +174,6 @@ class Diagnosis {
     constexpr double kLeastShare = 0.05;  // of the evidence that is named
     if (jitter && jitter->evidence >= kLeastShare * named_deviance_of(outcomes_)) faults_.push_back(*jitter);
     if (of_law > 0.0) outcomes_[fit].keep_without_name(of_law, sensor == 0 ? 1.0 : 0.0);
-  }
-
-  void judge() {
-    double named = 0.0, known = 0.0, unnamed = 0.0;
-    double deviance = 0.0;  // of what is unnamed
-    std::size_t causes = 0;
-    bool has_wrong_parameters = false, has_excitation = false;
-    for (const AxisOutcome& outcome : outcomes_) {
-      result_.threshold_evidence = std::max(result_.threshold_evidence, outcome.threshold());
-      result_.temperature = std::max(result_.temperature, outcome.chance.temperature);
-      const double leftover = outcome.unnamed_deviance();
-      deviance += leftover;
-      unnamed += excess_of(leftover);
-      result_.unexplained_evidence += outcome.leftover.gain;
-      named += excess_of(leftover + outcome.named_deviance()) - excess_of(leftover);
-      known += excess_of(std::max(outcome.diagnosis.known_evidence, 0.0));
-      causes = std::max(causes, causes_of(outcome.diagnosis.found));
-      has_wrong_parameters |= outcome.is_datasheet_wrong;
-      has_excitation |= is_excited(outcome.diagnosis.fit);
-    }
-    result_.bootstrap_runs = options_.bootstrap_runs;
-    result_.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
-    if (deviance < structure_left_by(faults_) * static_cast<double>(signals_.rows)) unnamed = 0.0;
-    if (outcomes_.empty() || !has_excitation)
-      result_.verdict = Verdict::kInsufficientExcitation;
-    else if (unnamed > most_unnamed(causes) * (known + named + unnamed))
-      result_.verdict = Verdict::kUnexplained;
-    else if (causes > 0 || !faults_.empty())
-      result_.verdict = Verdict::kEffect;
-    else
-      result_.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
-  }
-
-  // What a deviance is worth as a share of the noise's power.
-  double excess_of(double deviance) const {
-    return std::expm1(deviance / static_cast<double>(signals_.rows));
   }
 
   std::string explanation() const {
@@ -262,10 +248,10 @@ class Diagnosis {
 
   EffectResult effect_of(const Finding& finding, const AxisOutcome& outcome) const {
     const AxisFit& fit = outcome.diagnosis.fit;
-    const double all = excess_of(outcome.unnamed_deviance() + outcome.named_deviance());
+    const double all = excess_of(outcome.unnamed_deviance() + outcome.named_deviance(), signals_.rows);
     const double unnamed = is_judged_by_share_ ? std::max(1.0 - result_.shrinkage.share_closed,
                                                           share_kept_by(finding.effect.form.effect))
-                           : all > 0.0         ? excess_of(outcome.unnamed_deviance()) / all
+                           : all > 0.0         ? excess_of(outcome.unnamed_deviance(), signals_.rows) / all
                                                : 0.0;
     const double temperature = outcome.chance.temperature;
     EffectResult effect = named_effect(finding, fit, outcome.context_of(finding, unnamed));

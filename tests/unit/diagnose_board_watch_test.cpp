@@ -114,7 +114,7 @@ TEST(BoardWatch, HearsOfACauseThatTheHostIsSureOf) {
 
 /// Half a percent is no error to the host, nor is it to a board that the host has told so.
 TEST(BoardWatch, TakesARightMachineForRight) {
-  const RecordingSignals signals = record({});
+  const RecordingSignals signals = record(SimulatedRun{});
   const MachineDescription sheet = datasheet(0.005);
   const MachineParameters refitted = datasheet(0.0).configuration.machine;
   const auto seen_by_host = [&](host::Verdict verdict) {

@@ -42,6 +42,8 @@ struct DrivenAxis {
   double position_noise_m = 1.0e-6;  ///< standard deviation
   /// Share of the datasheet's mass at a place in m.
   std::function<double(double)> mass_at = [](double) { return 1.0; };
+  /// The same at a time in s.
+  std::function<double(double)> mass_over_time = [](double) { return 1.0; };
   /// Share of the datasheet's viscous friction at a place in m.
   std::function<double(double)> viscosity_at = [](double) { return 1.0; };
   /// Against the motion, in N, at a speed in m/s.
@@ -74,6 +76,7 @@ inline RecordingSignals record(const DrivenAxis& axis) {
       show(signals, Channel::kFeedSpeed,
            speed_m_s + axis.configuration.sensors[Channel::kFeedSpeed].noise * normal(random));
     show(signals, Channel::kFeedPosition, place_m + axis.position_noise_m * normal(random));
+    const double share_of_mass = axis.mass_over_time(signals.time_s(row));
     const double random_n = axis.random_force_n * normal(random);
     for (int step = 0; step < kSteps; ++step) {
       const double pull_m_s2 =
@@ -84,7 +87,8 @@ inline RecordingSignals record(const DrivenAxis& axis) {
       const double viscous_ns_m = feed.viscous_friction_ns_m * axis.viscosity_at(place_m);
       const double left_n =
           force_n + random_n - viscous_ns_m * speed_m_s - axis.brake_at(speed_m_s) - part_kg * pull_m_s2;
-      const double mass_kg = feed.mass_kg * axis.mass_at(place_m) - part_kg + 0.5 * step_s * viscous_ns_m;
+      const double mass_kg =
+          feed.mass_kg * share_of_mass * axis.mass_at(place_m) - part_kg + 0.5 * step_s * viscous_ns_m;
       const double change_m_s = step_s * left_n / mass_kg;
       place_m += step_s * (speed_m_s + 0.5 * change_m_s);
       speed_m_s += change_m_s;

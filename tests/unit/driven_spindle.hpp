@@ -26,6 +26,9 @@ struct DrivenSpindle {
   };
   /// Share of the datasheet's inductance at an angle in rad.
   std::function<double(double)> inductance_at = [](double) { return 1.0; };
+  /// Share of the datasheet's resistance at a time in s.
+  std::function<double(double)> resistance_at = [](double) { return 1.0; };
+  bool shows_angle = false;
   bool cuts = true;  ///< else it turns in the air, and nobody records a contact
 };
 
@@ -63,13 +66,15 @@ inline RecordingSignals record(const DrivenSpindle& spindle) {
     if (spindle.cuts) show(signals, Channel::kToolTemperature, tool_degc);
     show_noisy(Channel::kSpindleSpeed, x.speed_rad_s);
     show_noisy(Channel::kArmatureCurrent, x.current_a);
+    if (spindle.shows_angle) show(signals, Channel::kSpindleAngle, x.angle_rad);
+    const double resistance_ohm = motor.resistance_ohm * spindle.resistance_at(time_s);
     for (int step = 0; step < kSteps; ++step) {
       const double cut_nm = contact * cut(x.speed_rad_s, chip_load_mm, tool_degc).torque_nm;
       const double left_nm = motor.torque_constant_nm_a * x.current_a -
                              motor.viscous_friction_nms_rad * x.speed_rad_s - cut_nm -
                              spindle.brake_at(x, contact);
       const double left_v =
-          voltage_v - motor.resistance_ohm * x.current_a - motor.back_emf_constant_vs_rad * x.speed_rad_s;
+          voltage_v - resistance_ohm * x.current_a - motor.back_emf_constant_vs_rad * x.speed_rad_s;
       x.angle_rad += step_s * x.speed_rad_s;
       x.speed_rad_s += step_s * left_nm / motor.inertia_kgm2;
       x.current_a += step_s * left_v / (motor.inductance_h * spindle.inductance_at(x.angle_rad));

@@ -54,6 +54,8 @@ class AxisFit {
   [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
   /// The same for what comes after a time.
   void look_at_the_end(double from_s) { look_at({after(*signals_, from_s)}); }
+  /// The same for what comes before it.
+  void look_until(double time_s) { look_at({{0, after(*signals_, time_s).first}}); }
   /// Fits the process noise alone.
   void match_noise();
   /// Takes the model as it stands for the fitted one.

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "sim_host/diagnose/fit/axis_fit.hpp"
@@ -16,6 +17,7 @@ struct Leftover {
   std::vector<LeftLine> lines{};             ///< none where functions take more
   bool is_lines_only = false;                ///< the functions merely stand in for the lines
   double ringing_hz = 0.0;                   ///< of the resonance that takes most; 0: none does
+  std::string changed_values{};              ///< what has become of the machine, where that takes most
 };
 
 /// Smooth functions of what is measured, and lines in the spectrum over time and over the spindle's angle.

@@ -14,6 +14,7 @@
 #include "sim_host/diagnose/fit/white_innovations.hpp"
 #include "sim_host/diagnose/leftover/ringing.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
+#include "sim_host/diagnose/outcome/changed_values.hpp"
 #include "sim_host/diagnose/outcome/name_checks.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -213,6 +214,18 @@ void keep_ringing(AxisOutcome& outcome) {
   outcome.leftover.lines.clear();
 }
 
+/// A machine that is another one from some time on looks like whatever may set in there.
+void keep_changed_values(AxisOutcome& outcome) {
+  const bool is_gap = !outcome.diagnosis.found.empty() || outcome.unnamed_deviance() > 0.0;
+  if (!is_gap || outcome.diagnosis.fit.signals().is_thinned) return;
+  const auto changed = changed_values_of(outcome.diagnosis);
+  if (!changed || changed->deviance < outcome.unnamed_deviance()) return;
+  outcome.diagnosis.found.clear();
+  outcome.diagnosis.fit = outcome.diagnosis.nominal;
+  outcome.leftover = {
+      .gain = changed->deviance, .torque_share = changed->torque_share, .changed_values = changed->words};
+}
+
 /// Lags that the input's news explain as well, unless structure is left without them: noise has none.
 void drop_lags_of_news(AxisOutcome& outcome) {
   AxisDiagnosis before = outcome.diagnosis;
@@ -240,6 +253,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   if (is_lasting) forget_lines_of_bent_values(outcome);
   keep_surprises(outcome);
   keep_ringing(outcome);
+  keep_changed_values(outcome);
   if (is_lasting) diagnosis.fit.refit_beside_lasting_noise(Memory::kLong);
   diagnosis.fit.attribute_load();
   diagnosis.nominal.attribute_load();

@@ -47,9 +47,9 @@ EffectResult named_fault(const SamplingFault& fault);
 /// knows; nor whether a constant force is friction that depends on the direction.
 void take_shape(const EffectResult& shape, EffectResult& cause);
 
-/// Is it a play whose name stays and whose width is not told? Where the slide swings at its ends, a play of some
-/// micrometres with a slide that outweighs its drive as no axis has it does for one that is a hundred times
-/// as wide.
+/// Is it a play whose name stays and whose width is not told? Where the slide swings at its ends, a play of
+/// some micrometres with a slide that outweighs its drive as no axis has it does for one that is a hundred
+/// times as wide.
 bool is_of_swinging_slide(const gap::AppliedEffect& effect);
 
 /// Standard error of the size of an effect, as a share of the size.

@@ -97,6 +97,14 @@ gap::Balance balance_of(const gap::EffectForm& form, const RecordingSignals& sig
                                                     : gap::Balance::kSpindleTorque);
 }
 
+/// The balance in which most of what has no name sits.
+gap::Balance balance_of_most(const AxisOutcome& outcome) {
+  const AxisFit& fit = outcome.diagnosis.fit;
+  if (fit.axis() == Axis::kFeed) return gap::Balance::kFeedForce;
+  return fit.signals().balance_that_shows(outcome.leftover.torque_share < 0.5 ? gap::Balance::kArmatureVoltage
+                                                                              : gap::Balance::kSpindleTorque);
+}
+
 /// The model with the functions that stand in for what has no name.
 AxisDiagnosis with_functions(const AxisOutcome& outcome) {
   AxisDiagnosis diagnosis = outcome.diagnosis;
@@ -160,6 +168,8 @@ std::vector<FollowedSignal> followed_by_unnamed(const AxisOutcome& outcome) {
   if (outcome.leftover.ringing_hz > 0.0)
     followed.push_back({gap::Balance::kFeedForce, fmt::format("a resonance near {:.0f} Hz behind the motion",
                                                               outcome.leftover.ringing_hz)});
+  if (!outcome.leftover.changed_values.empty())
+    followed.push_back({balance_of_most(outcome), outcome.leftover.changed_values});
   const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
   for (const gap::EffectForm& form : outcome.leftover.functions) {
     FollowedSignal one{balance_of(form, fit.signals()), as_known(words_for(form, scales), fit.signals())};

@@ -146,7 +146,7 @@ void add_spindle_sensors(Forms& forms, const RecordingSignals& signals, double s
 
 void add_forces(Forms& forms, const RecordingSignals& signals, const GapModel& model, double step_s) {
   forms.add(Effect::kFeedCoulombFriction, {0.002, 0.01, 0.05});
-  if (!(model.machine.feed.viscous_friction_ns_m > 0.0)) forms.add(Effect::kFeedViscousFriction);
+  forms.add(Effect::kFeedViscousFriction);
   forms.add(Effect::kFeedStribeckFriction, {0.05, 0.15, 0.4});
   forms.add(Effect::kFeedAsymmetricFriction);
   forms.add(Effect::kFeedForceOffset);

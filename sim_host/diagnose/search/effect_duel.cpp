@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/gap/effect_form.hpp"
+#include "sim_host/diagnose/search/angle_evidence.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
 #include "sim_host/diagnose/search/newest_effect.hpp"
@@ -75,6 +76,7 @@ class Duel {
     rival = trial.candidate;
     rival.evidence = without_.everywhere - trial.fit.unlikeliness() -
                      freedom_cost(trial.fit, trial.fit.model().effects.back());
+    rival.evidence += angle_evidence(trial.fit, rival.evidence);
     const GapModel& model = trial.fit.model();
     const gap::AppliedEffect& newest = model.effects.back();
     const bool is_possible = !acts_the_wrong_way(newest, trial.fit) && !is_absurd(newest, trial.fit);

@@ -1,0 +1,99 @@
+#include "sim_host/diagnose/outcome/changed_values.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim_host/diagnose/outcome/parameter_report.hpp"
+#include "sim_host/diagnose/search/onset.hpp"
+
+namespace morepro::host {
+namespace {
+
+using Parts = std::array<AxisFit, 2>;
+
+/// A model of what comes before a time, and of what comes after.
+Parts parts_of(const AxisFit& fit, double time_s) {
+  Parts parts{fit, fit};
+  parts[0].look_until(time_s);
+  parts[1].look_at_the_end(time_s);
+  return parts;
+}
+
+/// `fit` from the noise that there is, and from little: what one model has needed for all of the recording
+/// hides how well it does for a part.
+void fit_from_both_noises(AxisFit& part, void (*fit)(AxisFit&)) {
+  AxisFit quiet = part;
+  fit(part);
+  quiet.expect_little_noise();
+  fit(quiet);
+  if (quiet.unlikeliness() < part.unlikeliness()) part = std::move(quiet);
+}
+
+double unlikeliness_of(const Parts& parts) { return parts[0].unlikeliness() + parts[1].unlikeliness(); }
+
+/// Each part with the noise that suits it, which none of the models to compare is to gain by.
+Parts with_noise_of_parts(const AxisFit& fit, double time_s) {
+  Parts parts = parts_of(fit, time_s);
+  for (AxisFit& part : parts) fit_from_both_noises(part, [](AxisFit& one) { one.match_noise(); });
+  return parts;
+}
+
+Parts with_values_of_parts(const AxisFit& fit, double time_s) {
+  Parts parts = parts_of(fit, time_s);
+  for (AxisFit& part : parts) fit_from_both_noises(part, [](AxisFit& one) { one.polish(); });
+  return parts;
+}
+
+/// Values that both parts tell, and tell apart.
+void tell_values(const Parts& parts, ChangedValues& changed) {
+  constexpr double kSurely = 5.0;  // standard errors
+  constexpr double kNoticeably = 0.02;
+  const auto before = parameters_of(parts[0]);
+  const auto after = parameters_of(parts[1]);
+  std::vector<std::string> told;
+  double torques = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double change = std::fabs(after[i].refit - before[i].refit);
+    const double error = std::hypot(before[i].standard_error, after[i].standard_error);
+    if (!before[i].is_identifiable || !after[i].is_identifiable) continue;
+    if (!(change > kSurely * error && change > kNoticeably * std::fabs(before[i].refit))) continue;
+    told.push_back(
+        fmt::format("{} is {:.3g} times as large", before[i].name, after[i].refit / before[i].refit));
+    torques += i < static_cast<std::size_t>(kTorqueParameters) ? 1.0 : 0.0;
+  }
+  if (!told.empty()) changed.torque_share = torques / static_cast<double>(told.size());
+  changed.words = fmt::format("the machine's values, which are others from {:.4g} s on{}{}", changed.time_s,
+                              told.empty() ? "" : ": ", fmt::join(told, ", "));
+}
+
+}  // namespace
+
+std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis) {
+  constexpr double kMayBe = 0.1;  // of what names take, beside the noise that one machine needs
+  constexpr double kSurely = 1.05;
+  const AxisFit& nominal = diagnosis.nominal;
+  const GapStatistics statistics = nominal.collect_with({});
+  const auto parameters = static_cast<Eigen::Index>(parameter_count(nominal.axis()));
+  const LateStart start = best_start(nominal, statistics, 0, parameters);
+  const double rows = statistics.total_rows();
+  if (!is_surely_late(start, rows)) return std::nullopt;
+  const double promised = rows * std::log(start.rss_without / start.rss);
+  if (promised < kMayBe * diagnosis.named_deviance()) return std::nullopt;
+  const double one_machine = unlikeliness_of(with_noise_of_parts(nominal, start.onset_s));
+  const double named = one_machine - unlikeliness_of(with_noise_of_parts(diagnosis.fit, start.onset_s));
+  const Parts two_machines = with_values_of_parts(nominal, start.onset_s);
+  const double by_chance = static_cast<double>(parameters + 1) * std::log(rows + 2.0);
+  const double gained = one_machine - unlikeliness_of(two_machines) - by_chance;
+  if (!(gained > kSurely * named)) return std::nullopt;
+  ChangedValues changed{.time_s = start.onset_s, .deviance = gained, .words = {}};
+  tell_values(two_machines, changed);
+  return changed;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,47 @@
+#include "sim_host/diagnose/outcome/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim_host/diagnose/outcome/causes.hpp"
+#include "sim_host/diagnose/outcome/effect_naming.hpp"
+#include "sim_host/diagnose/outcome/parameter_report.hpp"
+
+namespace morepro::host {
+
+double excess_of(double deviance, std::size_t rows) {
+  return std::expm1(deviance / static_cast<double>(rows));
+}
+
+void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFault>& faults, std::size_t rows,
+           DiagnosisResult& result) {
+  double named = 0.0, known = 0.0, unnamed = 0.0;
+  double deviance = 0.0;  // of what is unnamed
+  std::size_t causes = 0;
+  bool has_wrong_parameters = false, has_excitation = false;
+  for (const AxisOutcome& outcome : outcomes) {
+    result.threshold_evidence = std::max(result.threshold_evidence, outcome.threshold());
+    result.temperature = std::max(result.temperature, outcome.chance.temperature);
+    const double leftover = outcome.unnamed_deviance();
+    deviance += leftover;
+    unnamed += excess_of(leftover, rows);
+    result.unexplained_evidence += outcome.leftover.gain;
+    named += excess_of(leftover + outcome.named_deviance(), rows) - excess_of(leftover, rows);
+    known += excess_of(std::max(outcome.diagnosis.known_evidence, 0.0), rows);
+    causes = std::max(causes, causes_of(outcome.diagnosis.found));
+    has_wrong_parameters |= outcome.is_datasheet_wrong;
+    has_excitation |= is_excited(outcome.diagnosis.fit);
+  }
+  result.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
+  if (deviance < structure_left_by(faults) * static_cast<double>(rows)) unnamed = 0.0;
+  if (outcomes.empty() || !has_excitation)
+    result.verdict = Verdict::kInsufficientExcitation;
+  else if (unnamed > most_unnamed(causes) * (known + named + unnamed))
+    result.verdict = Verdict::kUnexplained;
+  else if (causes > 0 || !faults.empty())
+    result.verdict = Verdict::kEffect;
+  else
+    result.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,19 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sim_host/diagnose/outcome/axis_outcome.hpp"
+#include "sim_host/diagnose/result/diagnosis_result.hpp"
+#include "sim_host/diagnose/signals/sampling_checks.hpp"
+
+namespace morepro::host {
+
+/// What a deviance is worth as a share of the noise's power, over `rows` samples.
+double excess_of(double deviance, std::size_t rows);
+
+/// Fills in the verdict by the evidence, with what it rests on: threshold, temperature, what has no name.
+void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFault>& faults, std::size_t rows,
+           DiagnosisResult& result);
+
+}  // namespace morepro::host

@@ -1,0 +1,112 @@
+#include "sim_host/diagnose/signals/shown_noise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace morepro::host {
+namespace {
+
+constexpr std::size_t kBlockRows = 256;
+constexpr std::size_t kFewestBlocks = 8;
+
+double median_of(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<double> differences_of(std::span<const float> column, std::size_t times) {
+  std::vector<double> values(column.begin(), column.end());
+  for (; times > 0 && !values.empty(); --times) {
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = values[i + 1] - values[i];
+    values.pop_back();
+  }
+  return values;
+}
+
+/// Less what a steady motion adds, and no farther off than noise gets: an outlier is no noise.
+void centre_and_clip(std::span<double> block) {
+  constexpr double kFarthest = 4.0;              // standard deviations
+  constexpr double kDeviationOfMedian = 1.4826;  // of normal noise, over the median distance
+  std::vector<double> sorted;
+  std::ranges::copy_if(block, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
+  if (sorted.empty()) return;
+  const double centre = median_of(sorted);
+  for (double& value : sorted) value = std::fabs(value - centre);
+  const double most = kFarthest * kDeviationOfMedian * median_of(sorted);
+  for (double& value : block) value = std::clamp(value - centre, -most, most);
+}
+
+/// Mean product of values that are `lag` apart; NaN where hardly any were recorded.
+double product_at(std::size_t lag, std::span<const double> block) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = lag; i < block.size(); ++i) {
+    const double product = block[i] * block[i - lag];
+    if (!std::isfinite(product)) continue;
+    sum += product;
+    count += 1.0;
+  }
+  return count > 0.5 * static_cast<double>(block.size()) ? sum / count : std::nan("");
+}
+
+/// The median of all blocks; 0 where there are too few.
+double usual_product_at(std::size_t lag, std::span<const double> values) {
+  std::vector<double> products;
+  for (std::size_t first = 0; first + kBlockRows <= values.size(); first += kBlockRows)
+    if (const double product = product_at(lag, values.subspan(first, kBlockRows)); std::isfinite(product))
+      products.push_back(product);
+  return products.size() < kFewestBlocks ? 0.0 : median_of(products);
+}
+
+}  // namespace
+
+// Differences of white noise that are neighbours share a sample, with opposite signs; what lasts has them
+// alike, those of a random walk share nothing. Of one time more than they are taken they share none: a wave
+// does.
+double white_noise_of(std::span<const float> column, std::size_t differences) {
+  constexpr double kMostOfWave = 0.25;
+  std::vector<double> values = differences_of(column, differences);
+  for (std::size_t first = 0; first + kBlockRows <= values.size(); first += kBlockRows)
+    centre_and_clip(std::span(values).subspan(first, kBlockRows));
+  const double shared = differences == 1 ? 1.0 : 4.0;
+  const double variance = -usual_product_at(1, values) / shared;
+  if (!(variance > 0.0)) return 0.0;
+  for (const std::size_t lag : {differences + 1, differences + 2})
+    if (std::fabs(usual_product_at(lag, values)) > kMostOfWave * variance) return 0.0;
+  return std::sqrt(variance);
+}
+
+std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, const Sensors& sensors) {
+  constexpr double kNoisier = 1.5;
+  struct Watched {
+    Channel channel;
+    std::size_t differences;
+  };
+  constexpr std::array<Watched, 4> kWatched{{{Channel::kSpindleSpeed, 1},
+                                             {Channel::kArmatureCurrent, 1},
+                                             {Channel::kFeedSpeed, 1},
+                                             {Channel::kFeedPosition, 2}}};
+  std::vector<ShownNoise> noisier;
+  for (const auto& [channel, differences] : kWatched) {
+    const SensorNoise& stated = sensors[channel];
+    if (!signals.has(channel) || !(stated.variance() > 0.0)) continue;
+    const double shown = white_noise_of(signals.value[index_of(channel)], differences);
+    const double ratio = shown / std::sqrt(stated.variance());
+    if (ratio < kNoisier) continue;
+    const double noise = std::sqrt(shown * shown - stated.lsb * stated.lsb / 12.0);
+    noisier.push_back({.channel = channel, .noise = noise, .ratio = ratio});
+  }
+  return noisier;
+}
+
+std::string sentence_of(const ShownNoise& shown) {
+  return fmt::format("{} is {:.1f} times as noisy as the machine file says: a noise of {:.2g} is taken",
+                     kChannels[index_of(shown.channel)].column, shown.ratio, shown.noise);
+}
+
+}  // namespace morepro::host

@@ -1,0 +1,28 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/monitor/monitor_configuration.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
+
+namespace morepro::host {
+
+/// A sensor that is noisier than its machine file says.
+struct ShownNoise {
+  Channel channel = Channel::kSpindleSpeed;
+  double noise = 0.0;  ///< standard deviation without rounding, unit of the channel
+  double ratio = 1.0;  ///< of standard deviations, to what is stated
+};
+
+/// Standard deviation of what is white in a column, rounding included; 0 where there is too little to tell,
+/// or something else that is as fast. What lasts, random forces among it, makes it smaller, never larger.
+/// `differences`: 1, or 2 of a position.
+double white_noise_of(std::span<const float> column, std::size_t differences);
+
+/// Speeds, current and position that are noisier than `sensors` says by half and more.
+std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, const Sensors& sensors);
+
+std::string sentence_of(const ShownNoise& shown);
+
+}  // namespace morepro::host

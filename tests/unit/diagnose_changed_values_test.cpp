@@ -1,0 +1,54 @@
+// A machine that is another one from a time on: a payload was taken, a connector has come loose. No effect of
+// the catalogue does that, and several come near.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/unit/driven_axis.hpp"
+#include "tests/unit/driven_spindle.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+/// "unexplained", by nothing but values that have changed.
+void expect_changed(const DiagnosisResult& result, gap::Balance balance, const std::string& words) {
+  EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
+  EXPECT_TRUE(result.which.empty()) << said(result);
+  ASSERT_EQ(result.unexplained_follows.size(), 1U) << said(result);
+  EXPECT_EQ(result.unexplained_follows.front().balance, balance);
+  EXPECT_NE(result.unexplained_follows.front().signal.find(words), std::string::npos)
+      << result.unexplained_follows.front().signal;
+}
+
+// It was a force that saturates, at 86 to 90 %.
+TEST(ChangedValues, AreAPayload) {
+  const DrivenAxis axis{.mass_over_time = [](double time_s) { return time_s < 3.0 ? 1.0 : 1.4; }};
+  const auto result = diagnosed(record(axis), datasheet(0.1));
+  expect_changed(result, gap::Balance::kFeedForce, "from 3 s on: mass_kg is 1.4 times as large");
+}
+
+// It was a winding that warms, at 98 %.
+TEST(ChangedValues, AreALooseConnector) {
+  MachineDescription machine = datasheet(0.05);
+  machine.has_feed = false;
+  const DrivenSpindle spindle{.resistance_at = [](double time_s) { return time_s < 1.75 ? 1.0 : 1.5; }};
+  const auto result = diagnosed(record(spindle), machine);
+  expect_changed(result, gap::Balance::kArmatureVoltage,
+                 "from 1.75 s on: resistance_ohm is 1.5 times as large");
+}
+
+// Two machines have more values than one effect: what sets in late keeps its name.
+TEST(ChangedValues, AreNoEffectThatSetsInLate) {
+  for (const auto& late :
+       {effect(Effect::kFeedViscousFriction, 100.0, 1.2), effect(Effect::kFeedForceOffset, 6.0, 1.2),
+        effect(Effect::kSpindleCoulombFriction, 0.01, 1.2)}) {
+    const auto result = diagnosed(record({.effects = {late}}), datasheet(0.1));
+    ASSERT_EQ(result.which.size(), 1U) << said(result);
+    EXPECT_TRUE(names(result.which.front(), late.form.effect)) << said(result);
+    for (const auto& followed : result.unexplained_follows)
+      EXPECT_EQ(followed.signal.find("others from"), std::string::npos) << followed.signal;
+  }
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test

@@ -1,0 +1,105 @@
+// Machine files state noise that is too low. A sensor that is noisier is not a machine that is wrong.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim_host/diagnose/signals/shown_noise.hpp"
+#include "tests/unit/driven_axis.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+constexpr double kNoise = 2.0e-4;
+
+/// `motion` in each row, beside white noise.
+std::vector<float> noisy(const std::function<double(int)>& motion) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal(0.0, kNoise);
+  std::vector<float> column;
+  for (int row = 0; row < 20000; ++row) column.push_back(static_cast<float>(motion(row) + normal(random)));
+  return column;
+}
+
+// Of 78 blocks of 256 values each: two percent of a standard deviation, and four of them.
+constexpr double kChance = 0.08;
+
+TEST(WhiteNoise, IsWhatNeighboursDoNotShare) {
+  const auto at_rest = noisy([](int) { return 0.0; });
+  EXPECT_NEAR(host::white_noise_of(at_rest, 1), kNoise, kChance * kNoise);
+  EXPECT_NEAR(host::white_noise_of(at_rest, 2), kNoise, kChance * kNoise);
+  const auto ramp = noisy([](int row) { return 1.0e-4 * row; });
+  EXPECT_NEAR(host::white_noise_of(ramp, 1), kNoise, kChance * kNoise);
+}
+
+TEST(WhiteNoise, IsNoRandomWalkAndNoWave) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> step(0.0, 2.0 * kNoise);
+  double place = 0.0;
+  const auto walk = noisy([&](int) { return place += step(random); });
+  // A step's variance is four times the noise's, and so is what it scatters by.
+  EXPECT_NEAR(host::white_noise_of(walk, 1), kNoise, 4.0 * kChance * kNoise);
+  for (const double rate : {0.1, 1.7, 2.2, 2.8})
+    EXPECT_LT(host::white_noise_of(noisy([rate](int row) { return 2.0e-3 * std::sin(rate * row); }), 1),
+              1.3 * kNoise)
+        << rate;
+}
+
+TEST(WhiteNoise, IsNotMovedByOutliersAndHoles) {
+  auto column = noisy([](int row) { return 0.1 * std::sin(1.0e-3 * row); });
+  for (std::size_t row = 7; row < column.size(); row += 97) column[row] += 1.0F;
+  for (std::size_t row = 0; row < column.size(); row += 31)
+    column[row] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NEAR(host::white_noise_of(column, 1), kNoise, 2.0 * kChance * kNoise);
+  column.resize(1000);
+  EXPECT_EQ(host::white_noise_of(column, 1), 0.0) << "too little to tell";
+}
+
+/// The axis of the tests by a machine file that states `share` of the noise.
+DiagnosisResult diagnosed_with_noise(double share, const DrivenAxis& axis, MachineDescription& found) {
+  MachineDescription sheet = datasheet(0.05);
+  sheet.has_spindle = false;
+  sheet.configuration.sensors[Channel::kFeedSpeed].noise *= share;
+  sheet.configuration.sensors[Channel::kFeedPosition].noise = share * axis.position_noise_m;
+  host::DiagnosisOptions options;
+  options.bootstrap_runs = 0;
+  return host::diagnose(record(axis), sheet, options, found);
+}
+
+std::ptrdiff_t said_of(const DiagnosisResult& result, std::string_view words) {
+  return std::ranges::count_if(
+      result.notices, [words](const std::string& notice) { return notice.find(words) != std::string::npos; });
+}
+
+// It was structure that nothing explains, with 24 to 41 times its noise.
+TEST(NoisierThanStated, IsNoGapOfTheMachine) {
+  const DrivenAxis axis;
+  MachineDescription found;
+  const auto result = diagnosed_with_noise(0.4, axis, found);
+  EXPECT_EQ(result.verdict, host::Verdict::kParameterError) << said(result);
+  EXPECT_EQ(said_of(result, "feed_speed_m_s is 2."), 1);
+  EXPECT_EQ(said_of(result, "times as noisy"), 2);
+  // What is written for the next run says so.
+  EXPECT_NEAR(found.configuration.sensors[Channel::kFeedPosition].noise, axis.position_noise_m,
+              kChance * axis.position_noise_m);
+  EXPECT_EQ(said_of(diagnosed_with_noise(0.8, axis, found), "times as noisy"), 0);
+}
+
+TEST(NoisierThanStated, LeavesAFrictionItsName) {
+  const DrivenAxis axis{.brake_at = [](double speed_m_s) { return 8.0 * std::tanh(speed_m_s / 1.0e-3); }};
+  MachineDescription found;
+  const auto result = diagnosed_with_noise(0.4, axis, found);
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_EQ(result.which.front().effect, Effect::kFeedCoulombFriction);
+  EXPECT_NEAR(result.which.front().magnitude, 8.0, 0.4);
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test
