@@ -61,7 +61,6 @@ class Diagnosis {
 
   void run() {
     Sensors sensors = with_known_steps(machine_.configuration.sensors, machine_.effects);
-    const Sensors expected = sensors;
     for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
       result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
                                             kChannels[index_of(channel)].column));
@@ -88,7 +87,7 @@ class Diagnosis {
     measure();
     reconsider();
     result_.explanation = explanation();
-    watch_like_a_board(expected);
+    watch_like_a_board();
   }
 
   [[nodiscard]] bool is_unexplained() const { return result_.verdict == Verdict::kUnexplained; }
@@ -329,8 +328,8 @@ class Diagnosis {
         is_unexplained() && (shows_unnamed(outcome, balance) || share_kept(balance) > 0.0);
   }
 
-  /// `expected`: the sensors that the machine is known to have.
-  void watch_like_a_board(const Sensors& expected) {
+  void watch_like_a_board() {
+    const Sensors expected = with_known_steps(machine_.configuration.sensors, machine_.effects);
     gap::GapSettings settings =
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);

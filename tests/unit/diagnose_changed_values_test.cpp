@@ -24,7 +24,7 @@ void expect_changed(const DiagnosisResult& result, gap::Balance balance, const s
 TEST(ChangedValues, AreAPayload) {
   const DrivenAxis axis{.mass_over_time = [](double time_s) { return time_s < 3.0 ? 1.0 : 1.4; }};
   const auto result = diagnosed(record(axis), datasheet(0.1));
-  expect_changed(result, gap::Balance::kFeedForce, "from 3 s on: mass_kg is 1.4 times as large");
+  expect_changed(result, gap::Balance::kFeedForce, "from about 3 s on: mass_kg is 1.4 times as large");
 }
 
 // It was a winding that warms, at 98 %.
@@ -34,7 +34,7 @@ TEST(ChangedValues, AreALooseConnector) {
   const DrivenSpindle spindle{.resistance_at = [](double time_s) { return time_s < 1.75 ? 1.0 : 1.5; }};
   const auto result = diagnosed(record(spindle), machine);
   expect_changed(result, gap::Balance::kArmatureVoltage,
-                 "from 1.75 s on: resistance_ohm is 1.5 times as large");
+                 "from about 1.75 s on: resistance_ohm is 1.5 times as large");
 }
 
 // Two machines have more values than one effect: what sets in late keeps its name.

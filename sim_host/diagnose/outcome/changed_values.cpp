@@ -68,7 +68,7 @@ void tell_values(const Parts& parts, ChangedValues& changed) {
     torques += i < static_cast<std::size_t>(kTorqueParameters) ? 1.0 : 0.0;
   }
   if (!told.empty()) changed.torque_share = torques / static_cast<double>(told.size());
-  changed.words = fmt::format("the machine's values, which are others from {:.4g} s on{}{}", changed.time_s,
+  changed.words = fmt::format("the machine's values, which are others from about {:.4g} s on{}{}", changed.time_s,
                               told.empty() ? "" : ": ", fmt::join(told, ", "));
 }
 
