@@ -97,6 +97,11 @@ class Diagnosis {
     return !lost_.empty() || std::ranges::any_of(outcomes_, rings);
   }
 
+  /// Is it another machine from some time on? What shakes one does not hide that.
+  [[nodiscard]] bool has_changed() const {
+    return std::ranges::any_of(outcomes_, morepro::host::has_changed);
+  }
+
   /// What was left of the recording after dead sensors were, and what there is to say about it.
   [[nodiscard]] const RecordingSignals& signals() const { return signals_; }
   [[nodiscard]] const std::vector<std::string>& notices() const { return result_.notices; }
@@ -363,7 +368,7 @@ DiagnosisResult diagnose(const RecordingSignals& signals, const MachineDescripti
                          const DiagnosisOptions& options, MachineDescription& with_effects) {
   Diagnosis diagnosis(signals, signals, machine, options);
   diagnosis.run();
-  if (!diagnosis.is_unexplained()) return diagnosis.take_result(with_effects);
+  if (!diagnosis.is_unexplained() || diagnosis.has_changed()) return diagnosis.take_result(with_effects);
   // What shakes a real axis has no name and hides its friction, which is seen over longer times.
   auto slow = slow_motion_of(diagnosis.signals(), machine.configuration);
   if (!slow || slow->rows < kFewestRows) return diagnosis.take_result(with_effects);

@@ -54,6 +54,9 @@ struct AxisOutcome {
 /// Does what has no name ring behind the motion?
 inline bool rings(const AxisOutcome& outcome) { return outcome.leftover.ringing_hz > 0.0; }
 
+/// Is it values of the machine that are others from a time on?
+inline bool has_changed(const AxisOutcome& outcome) { return !outcome.leftover.changed_values.empty(); }
+
 /// Nothing where no row of the axis can be used.
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
                                       const DiagnosisOptions& options);
