@@ -27,7 +27,6 @@ TEST(ChangedValues, AreAPayload) {
   expect_changed(result, gap::Balance::kFeedForce, "from about 3 s on: mass_kg is 1.4 times as large");
 }
 
-// Means over 5 ms, which are looked at where the position alone is known, see a change as something else.
 TEST(ChangedValues, AreAPayloadThatThePositionAloneTells) {
   const DrivenAxis axis{.has_speed = false,
                         .mass_over_time = [](double time_s) { return time_s < 3.0 ? 1.0 : 1.4; }};
