@@ -14,6 +14,7 @@ namespace morepro::gap {
 /// Can the machine have this effect beside its nominal parameters, as far as its description tells?
 constexpr bool is_candidate(Effect effect, const MachineParameters& machine) {
   if (effect == Effect::kFeedScrewPeriodic) return machine.feed.screw_pitch_m > 0.0;
+  // Else it is a parameter; one that sets in late comes with the host's forms.
   if (effect == Effect::kFeedViscousFriction) return !(machine.feed.viscous_friction_ns_m > 0.0);
   return true;
 }

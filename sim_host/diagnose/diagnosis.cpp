@@ -73,10 +73,9 @@ class Diagnosis {
     if (signals_.rows >= kFewestRows) heat_winding_by_current(signals_, datasheet_);
     for (const auto& effect : machine_.effects)
       datasheet_.known.push_back(gap::restated(effect, file_scales(), recording_scales()));
-    const std::vector<ShownNoise> noisier = noisier_than_stated(signals_, sensors);
-    try_axes(noisier.empty() ? options_.bootstrap_runs : 0);
+    try_axes();
     look_for_jitter();
-    if (!noisier.empty()) try_axes_beside(noisier, sensors);
+    heed_shown_noise(sensors);
     std::erase_if(faults_, [this](const SamplingFault& fault) {
       return std::ranges::count(options_.excluded, fault.effect) > 0;
     });
@@ -102,6 +101,8 @@ class Diagnosis {
     return std::ranges::any_of(outcomes_, morepro::host::has_changed);
   }
 
+  /// With the noise that its sensors show.
+  [[nodiscard]] const MachineDescription& machine() const { return machine_; }
   /// What was left of the recording after dead sensors were, and what there is to say about it.
   [[nodiscard]] const RecordingSignals& signals() const { return signals_; }
   [[nodiscard]] const std::vector<std::string>& notices() const { return result_.notices; }
@@ -137,7 +138,7 @@ class Diagnosis {
     return options;
   }
 
-  void try_axes(int bootstrap_runs) {
+  void try_axes() {
     if (signals_.rows < kFewestRows) return;
     outcomes_.clear();
     constexpr std::array kAxes{Axis::kSpindle, Axis::kFeed};
@@ -146,8 +147,7 @@ class Diagnosis {
       share_done_[i] = is_evaluable(kAxes[i], signals_, machine_) ? 0.0 : 1.0;
     in_parallel(kAxes.size(), [&](std::size_t i) {
       if (!is_evaluable(kAxes[i], signals_, machine_)) return;
-      DiagnosisOptions options = reporting_for(i);
-      options.bootstrap_runs = bootstrap_runs;
+      const DiagnosisOptions options = reporting_for(i);
       outcomes[i] = outcome_of(kAxes[i], signals_, datasheet_, options);
       options.on_progress(1.0);
     });
@@ -156,18 +156,21 @@ class Diagnosis {
     conclude(outcomes_);
   }
 
-  /// Once more with the noise that the sensors show, unless that is a clock's.
-  void try_axes_beside(std::span<const ShownNoise> noisier, Sensors& sensors) {
+  /// Once more with the noise that the sensors show, where they show more than is stated, unless that is a
+  /// clock's.
+  void heed_shown_noise(Sensors& sensors) {
     const auto shakes = [](const SamplingFault& fault) { return fault.effect == Effect::kClockJitter; };
-    if (std::erase_if(faults_, shakes) == 0) {
-      for (const ShownNoise& shown : noisier) {
-        sensors[shown.channel].noise = shown.noise;
-        machine_.configuration.sensors[shown.channel].noise = shown.noise;
-        result_.notices.push_back(sentence_of(shown));
-      }
-      datasheet_.noise = usual_noise(sensors);
+    const bool may_shake = std::ranges::count(options_.excluded, Effect::kClockJitter) == 0;
+    const std::vector<ShownNoise> noisier = noisier_than_stated(signals_, sensors);
+    if (noisier.empty() || (may_shake && std::ranges::any_of(faults_, shakes))) return;
+    std::erase_if(faults_, shakes);
+    for (const ShownNoise& shown : noisier) {
+      sensors[shown.channel].noise = shown.noise;
+      machine_.configuration.sensors[shown.channel].noise = shown.noise;
+      result_.notices.push_back(sentence_of(shown));
     }
-    try_axes(options_.bootstrap_runs);
+    datasheet_.noise = usual_noise(sensors);
+    try_axes();
     look_for_jitter();
   }
 
@@ -370,11 +373,11 @@ DiagnosisResult diagnose(const RecordingSignals& signals, const MachineDescripti
   diagnosis.run();
   if (!diagnosis.is_unexplained() || diagnosis.has_changed()) return diagnosis.take_result(with_effects);
   // What shakes a real axis has no name and hides its friction, which is seen over longer times.
-  auto slow = slow_motion_of(diagnosis.signals(), machine.configuration);
+  auto slow = slow_motion_of(diagnosis.signals(), diagnosis.machine().configuration);
   if (!slow || slow->rows < kFewestRows) return diagnosis.take_result(with_effects);
   DiagnosisOptions quietly = options;
   quietly.on_progress = [](double) {};
-  Diagnosis of_slow_motion(std::move(*slow), signals, machine, quietly);
+  Diagnosis of_slow_motion(std::move(*slow), signals, diagnosis.machine(), quietly);
   of_slow_motion.run();
   // What rings, or passed for random forces, is not gone because it cannot be seen there.
   if (of_slow_motion.is_unexplained() ||

@@ -47,7 +47,8 @@ void SignalsReport::take(const RecordingSignals& signals, const MachineDescripti
     GapModel model{.machine = identified.configuration.machine,
                    .point = reference_point_for(datasheet, signals),
                    .noise = usual_noise(datasheet.configuration.sensors)};
-    fit_noise(axis, signals, usual_noise(datasheet.configuration.sensors), NoiseBounds{}, false, model);
+    fit_noise(axis, signals, all_of(signals).front(), usual_noise(datasheet.configuration.sensors),
+              NoiseBounds{}, false, model);
     GapModel before = model;
     before.machine = datasheet.configuration.machine;
     const std::array models{NamedModel{"datasheet", "datasheet", before},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <utility>
@@ -50,6 +51,17 @@ TEST(BiasByAngle, IsToldByAnAngleThatBeginsAnewWithEachTurn) {
   EXPECT_NEAR(told->bias_rad_s, -2.0, 4.0 * told->standard_error_rad_s);
 }
 
+// Pieces of some hundred rows with hardly one that is whole.
+TEST(BiasByAngle, IsToldBesideLostRows) {
+  auto signals = turning(swinging_rad, [](double t) { return swinging_rad_s(t) + 3.0; });
+  for (std::size_t row = 5; row < signals.rows; row += 50)
+    signals.value[index_of(Channel::kSpindleSpeed)][row] = std::numeric_limits<float>::quiet_NaN();
+  const auto told = host::bias_told_by_angle(signals, 0.0);
+  ASSERT_TRUE(told);
+  EXPECT_LT(told->standard_error_rad_s, 0.02);
+  EXPECT_NEAR(told->bias_rad_s, 3.0, 4.0 * told->standard_error_rad_s);
+}
+
 TEST(BiasByAngle, IsNotToldFromAScaleAtOneSpeed) {
   const auto told = host::bias_told_by_angle(
       turning([](double t) { return 100.0 * t; }, [](double) { return 103.0; }), 0.0);
@@ -59,12 +71,20 @@ TEST(BiasByAngle, IsNotToldFromAScaleAtOneSpeed) {
   EXPECT_FALSE(host::bias_told_by_angle(without, 0.0));
 }
 
-DiagnosisResult diagnosed_beside(Channel channel, double offset) {
-  RecordingSignals signals = record(DrivenSpindle{.shows_angle = true});
-  for (float& value : signals.value[index_of(channel)]) value += static_cast<float>(offset);
+void offset(RecordingSignals& signals, Channel channel, double by) {
+  for (float& value : signals.value[index_of(channel)]) value += static_cast<float>(by);
+}
+
+MachineDescription spindle_alone() {
   MachineDescription machine = datasheet(0.05);
   machine.has_feed = false;
-  return diagnosed(std::move(signals), machine);
+  return machine;
+}
+
+DiagnosisResult diagnosed_beside(Channel channel, double by) {
+  RecordingSignals signals = record(DrivenSpindle{.shows_angle = true});
+  offset(signals, channel, by);
+  return diagnosed(std::move(signals), spindle_alone());
 }
 
 void expect_alone(const DiagnosisResult& result, Effect effect, double size) {
@@ -77,6 +97,16 @@ void expect_alone(const DiagnosisResult& result, Effect effect, double size) {
 TEST(AngleEvidence, TellsASensorFromASupply) {
   expect_alone(diagnosed_beside(Channel::kSpindleSpeed, 3.0), Effect::kSpindleSpeedBias, 3.0);
   expect_alone(diagnosed_beside(Channel::kArmatureVoltage, 0.5), Effect::kSupplyVoltageOffset, -0.5);
+}
+
+// The angle tells all of a bias; what is known of it speaks for no more.
+TEST(AngleEvidence, IsBeyondWhatTheMachineFileStates) {
+  RecordingSignals signals = record(DrivenSpindle{.shows_angle = true});
+  offset(signals, Channel::kSpindleSpeed, 3.0);
+  offset(signals, Channel::kArmatureVoltage, 0.5);
+  MachineDescription machine = spindle_alone();
+  machine.effects.push_back(effect(Effect::kSpindleSpeedBias, 3.0));
+  expect_alone(diagnosed(std::move(signals), machine), Effect::kSupplyVoltageOffset, -0.5);
 }
 
 }  // namespace

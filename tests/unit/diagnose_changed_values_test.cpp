@@ -2,6 +2,7 @@
 // the catalogue does that, and several come near.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/unit/driven_axis.hpp"
@@ -22,33 +23,43 @@ void expect_changed(const DiagnosisResult& result, gap::Balance balance, const s
 
 // It was a force that saturates, at 86 to 90 %.
 TEST(ChangedValues, AreAPayload) {
-  const DrivenAxis axis{.mass_over_time = [](double time_s) { return time_s < 3.0 ? 1.0 : 1.4; }};
+  const DrivenAxis axis{.mass_over_time = [](double time_s) { return time_s < 3.1 ? 1.0 : 1.4; }};
   const auto result = diagnosed(record(axis), datasheet(0.1));
-  expect_changed(result, gap::Balance::kFeedForce, "from about 3 s on: mass_kg is 1.4 times as large");
+  expect_changed(result, gap::Balance::kFeedForce, "from about 3.1 s on: mass_kg is 1.4 times as large");
 }
 
 TEST(ChangedValues, AreAPayloadThatThePositionAloneTells) {
   const DrivenAxis axis{.has_speed = false,
-                        .mass_over_time = [](double time_s) { return time_s < 3.0 ? 1.0 : 1.4; }};
+                        .mass_over_time = [](double time_s) { return time_s < 3.1 ? 1.0 : 1.4; }};
   const auto result = diagnosed(record(axis), datasheet(0.1));
-  expect_changed(result, gap::Balance::kFeedForce, "from about 3 s on: mass_kg is 1.4 times as large");
+  expect_changed(result, gap::Balance::kFeedForce, "from about 3.1 s on: mass_kg is 1.4 times as large");
 }
 
 // It was a winding that warms, at 98 %.
 TEST(ChangedValues, AreALooseConnector) {
   MachineDescription machine = datasheet(0.05);
   machine.has_feed = false;
-  const DrivenSpindle spindle{.resistance_at = [](double time_s) { return time_s < 1.75 ? 1.0 : 1.5; }};
+  const DrivenSpindle spindle{.resistance_at = [](double time_s) { return time_s < 1.8 ? 1.0 : 1.5; }};
   const auto result = diagnosed(record(spindle), machine);
   expect_changed(result, gap::Balance::kArmatureVoltage,
-                 "from about 1.75 s on: resistance_ohm is 1.5 times as large");
+                 "from about 1.8 s on: resistance_ohm is 1.5 times as large");
+}
+
+// Random forces that come at a time change no value.
+TEST(ChangedValues, AreNoRandomForces) {
+  const DrivenAxis axis{.brake_at = [](double speed_m_s) { return 8.0 * std::tanh(speed_m_s / 1.0e-3); },
+                        .random_force_n = 2.0,
+                        .random_from_s = 3.0};
+  const auto result = diagnosed(record(axis), datasheet(0.05));
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_EQ(result.which.front().effect, Effect::kFeedCoulombFriction) << said(result);
 }
 
 // Two machines have more values than one effect: what sets in late keeps its name.
 TEST(ChangedValues, AreNoEffectThatSetsInLate) {
   for (const auto& late :
-       {effect(Effect::kFeedViscousFriction, 100.0, 1.2), effect(Effect::kFeedForceOffset, 6.0, 1.2),
-        effect(Effect::kSpindleCoulombFriction, 0.01, 1.2)}) {
+       {effect(Effect::kFeedViscousFriction, 100.0, 1.25), effect(Effect::kFeedForceOffset, 6.0, 1.25),
+        effect(Effect::kSpindleCoulombFriction, 0.01, 1.25)}) {
     const auto result = diagnosed(record({.effects = {late}}), datasheet(0.1));
     ASSERT_EQ(result.which.size(), 1U) << said(result);
     EXPECT_TRUE(names(result.which.front(), late.form.effect)) << said(result);

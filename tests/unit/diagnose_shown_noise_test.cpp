@@ -41,15 +41,17 @@ TEST(WhiteNoise, IsWhatNeighboursDoNotShare) {
 
 TEST(WhiteNoise, IsNoRandomWalkAndNoWave) {
   std::mt19937 random(5);
-  std::normal_distribution<double> step(0.0, 2.0 * kNoise);
+  std::normal_distribution<double> step(0.0, kNoise);
   double place = 0.0;
   const auto walk = noisy([&](int) { return place += step(random); });
-  // A step's variance is four times the noise's, and so is what it scatters by.
-  EXPECT_NEAR(host::white_noise_of(walk, 1), kNoise, 4.0 * kChance * kNoise);
-  for (const double rate : {0.1, 1.7, 2.2, 2.8})
-    EXPECT_LT(host::white_noise_of(noisy([rate](int row) { return 2.0e-3 * std::sin(rate * row); }), 1),
-              1.3 * kNoise)
-        << rate;
+  // Its steps scatter by half as much again.
+  EXPECT_NEAR(host::white_noise_of(walk, 1), kNoise, 1.5 * kChance * kNoise);
+  // Below what counts as noisier than stated, whatever its rate per row and its size.
+  for (const double rate : {0.1, 1.7, 2.2, 2.5, 2.8})
+    for (const double size : {0.5, 1.1, 2.0, 10.0}) {
+      const auto wave = [&](int row) { return size * kNoise * std::sin(rate * row); };
+      EXPECT_LT(host::white_noise_of(noisy(wave), 1), 1.5 * kNoise) << rate << ", " << size;
+    }
 }
 
 TEST(WhiteNoise, IsNotMovedByOutliersAndHoles) {
@@ -58,6 +60,10 @@ TEST(WhiteNoise, IsNotMovedByOutliersAndHoles) {
   for (std::size_t row = 0; row < column.size(); row += 31)
     column[row] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_NEAR(host::white_noise_of(column, 1), kNoise, 2.0 * kChance * kNoise);
+  // With so few neighbours left that further lags are not known, a wave must not pass for noise.
+  auto wave = noisy([](int row) { return 10.0 * kNoise * std::sin(2.2 * row); });
+  for (std::size_t row = 0; row < wave.size(); row += 7) wave[row] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_LT(host::white_noise_of(wave, 2), 1.5 * kNoise);
   column.resize(1000);
   EXPECT_EQ(host::white_noise_of(column, 1), 0.0) << "too little to tell";
 }

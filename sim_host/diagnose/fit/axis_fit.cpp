@@ -257,7 +257,7 @@ void AxisFit::refit() {
 }
 
 void AxisFit::match_noise() {
-  fit_noise(axis_, *signals_, datasheet_.noise, noise_bounds_, is_narrow(), change_model());
+  fit_noise(axis_, *signals_, looked_at(), datasheet_.noise, noise_bounds_, is_narrow(), change_model());
   take_rest(tried().statistics);
 }
 
@@ -338,8 +338,8 @@ void AxisFit::take_turns(int most_rounds, double rival) {
   AxisFit best = *this;
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < kMostInVain; ++round) {
-    const bool has_changed =
-        fit_noise(axis_, *signals_, datasheet_.noise, noise_bounds_, is_narrow(), change_model());
+    const bool has_changed = fit_noise(axis_, *signals_, looked_at(), datasheet_.noise, noise_bounds_,
+                                       is_narrow(), change_model());
     if (!has_changed && std::isfinite(best.unlikeliness_)) break;
     refit();
     if (!std::isfinite(unlikeliness_)) break;

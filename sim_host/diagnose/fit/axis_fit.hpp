@@ -188,6 +188,10 @@ class AxisFit {
     innovations_.reset();
     unlikeliness_ = kNone;
   }
+  /// Where the noise is looked for: all of a recording of which a part stands for the rest.
+  [[nodiscard]] Stretch looked_at() const {
+    return is_narrow() ? all_of(*signals_).front() : stretches_.front();
+  }
   void take_turns(int most_rounds, double rival);
   [[nodiscard]] bool is_hopeless_beside(double rival) const;
   bool improve(Trial& best);

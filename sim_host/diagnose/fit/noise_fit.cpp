@@ -16,12 +16,14 @@ constexpr std::size_t kStretchRows = 2500;
 constexpr std::size_t kRoughRows = 1200;
 constexpr std::size_t kNoiseSettling = 200;
 
-/// Over stretches of at most `length` rows.
-double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& model, std::size_t length) {
+/// Over stretches of at most `length` rows, from all over `within`.
+double unlikeliness(Axis axis, const RecordingSignals& signals, const Stretch& within, const GapModel& model,
+                    std::size_t length) {
   double sum = 0.0;
-  length = std::min(length, std::max<std::size_t>(signals.rows / kStretches, 1));
+  const std::size_t rows = within.last - within.first;
+  length = std::min(length, std::max<std::size_t>(rows / kStretches, 1));
   for (std::size_t i = 0; i < kStretches; ++i) {
-    const std::size_t first = i * (signals.rows - length) / (kStretches - 1);
+    const std::size_t first = within.first + i * (rows - length) / (kStretches - 1);
     std::array<RepeatedLogarithm, kSensorsPerAxis> log;
     run_observer(axis, signals, model, first, first + length, [&](const Innovation& v) {
       if (v.row < first + kNoiseSettling) return;
@@ -36,8 +38,14 @@ double unlikeliness(Axis axis, const RecordingSignals& signals, const GapModel& 
 /// Looks for the process noise that makes some stretches of a recording most likely, one value after another.
 class NoiseSearch {
  public:
-  NoiseSearch(Axis axis, const RecordingSignals& signals, GapModel& model, std::size_t length)
-      : axis_(axis), signals_(signals), model_(model), length_(length), best_(unlikeliness_now()) {}
+  NoiseSearch(Axis axis, const RecordingSignals& signals, const Stretch& within, GapModel& model,
+              std::size_t length)
+      : axis_(axis),
+        signals_(signals),
+        within_(within),
+        model_(model),
+        length_(length),
+        best_(unlikeliness_now()) {}
 
   /// `value` is part of the model, between `least` and `most`. Has it changed?
   bool search(double& value, double least, double most) {
@@ -49,7 +57,7 @@ class NoiseSearch {
   }
 
  private:
-  double unlikeliness_now() const { return unlikeliness(axis_, signals_, model_, length_); }
+  double unlikeliness_now() const { return unlikeliness(axis_, signals_, within_, model_, length_); }
   bool is_better_with(double factor, double& value, double least, double most) {
     const double before = value;
     value = std::clamp(value * factor, least, most);
@@ -64,6 +72,7 @@ class NoiseSearch {
 
   Axis axis_;
   const RecordingSignals& signals_;
+  Stretch within_;
   GapModel& model_;
   std::size_t length_;
   double best_;
@@ -87,10 +96,11 @@ void expect_process_noise(double share, gap::GapNoise<double>& noise) {
   noise.feed_step = share * std::sqrt(noise.feed_speed_variance);
 }
 
-bool fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
-               const NoiseBounds& bounds, bool is_rough, GapModel& model) {
+bool fit_noise(Axis axis, const RecordingSignals& signals, const Stretch& within,
+               const gap::GapNoise<double>& stated, const NoiseBounds& bounds, bool is_rough,
+               GapModel& model) {
   auto& noise = model.noise;
-  NoiseSearch noises(axis, signals, model, is_rough ? kRoughRows : kStretchRows);
+  NoiseSearch noises(axis, signals, within, model, is_rough ? kRoughRows : kStretchRows);
   const auto search_step = [&](double& step, double sensor_variance) {
     const double sensor = std::sqrt(sensor_variance);
     return noises.search(step, bounds.least_share * sensor, bounds.most_share * sensor);

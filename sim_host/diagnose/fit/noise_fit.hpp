@@ -27,10 +27,11 @@ gap::GapNoise<double> usual_noise(const Sensors& sensors);
 /// Sets the process noise of both axes to that share of their sensors' noise.
 void expect_process_noise(double share, gap::GapNoise<double>& noise);
 
-/// Chooses the process noise of one axis under which the innovations are most likely, on some stretches of
-/// the recording, shorter ones for a rough answer; within `bounds`. Of a thinned recording the position's
+/// Chooses the process noise of one axis under which the innovations are most likely, on some stretches from
+/// all over `within`, shorter ones for a rough answer; within `bounds`. Of a thinned recording the position's
 /// noise too, which may be less than `stated`, the machine file's. Has it changed?
-bool fit_noise(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& stated,
-               const NoiseBounds& bounds, bool is_rough, GapModel& model);
+bool fit_noise(Axis axis, const RecordingSignals& signals, const Stretch& within,
+               const gap::GapNoise<double>& stated, const NoiseBounds& bounds, bool is_rough,
+               GapModel& model);
 
 }  // namespace morepro::host

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -23,6 +24,15 @@ Parts parts_of(const AxisFit& fit, double time_s) {
   parts[0].look_until(time_s);
   parts[1].look_at_the_end(time_s);
   return parts;
+}
+
+/// Short enough that little of one machine is taken for the other's.
+GapStatistics in_short_blocks(const AxisFit& fit) {
+  constexpr double kMostBlocks = 2000.0;
+  constexpr double kShortestS = 0.01;
+  const double block_s = std::max(fit.signals().duration_s() / kMostBlocks, kShortestS);
+  return collect(fit.axis(), fit.signals(), all_of(fit.signals()), fit.model(), Disturbances{},
+                 fit.whitening(), block_s);
 }
 
 /// `fit` from the noise that there is, and from little: what one model has needed for all of the recording
@@ -68,8 +78,8 @@ void tell_values(const Parts& parts, ChangedValues& changed) {
     torques += i < static_cast<std::size_t>(kTorqueParameters) ? 1.0 : 0.0;
   }
   if (!told.empty()) changed.torque_share = torques / static_cast<double>(told.size());
-  changed.words = fmt::format("the machine's values, which are others from about {:.4g} s on{}{}", changed.time_s,
-                              told.empty() ? "" : ": ", fmt::join(told, ", "));
+  changed.words = fmt::format("the machine's values, which are others from about {:.4g} s on{}{}",
+                              changed.time_s, told.empty() ? "" : ": ", fmt::join(told, ", "));
 }
 
 }  // namespace
@@ -78,7 +88,7 @@ std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis) {
   constexpr double kMayBe = 0.1;  // of what names take, beside the noise that one machine needs
   constexpr double kSurely = 1.05;
   const AxisFit& nominal = diagnosis.nominal;
-  const GapStatistics statistics = nominal.collect_with({});
+  const GapStatistics statistics = in_short_blocks(nominal);
   const auto parameters = static_cast<Eigen::Index>(parameter_count(nominal.axis()));
   const LateStart start = best_start(nominal, statistics, 0, parameters);
   const double rows = statistics.total_rows();

@@ -19,29 +19,39 @@ struct Piece {
   Eigen::Vector3d columns = Eigen::Vector3d::Zero();  ///< bias, scale, lag
 };
 
-/// Rows [first, last]; absent where a sample is missing.
+/// Rows [first, last], less the pairs of which a sample is missing; absent where most of them are.
 std::optional<Piece> piece_of(const RecordingSignals& signals, std::size_t first, std::size_t last,
                               double onset_s) {
   const auto& speeds = signals.value[index_of(Channel::kSpindleSpeed)];
   const auto& angles = signals.value[index_of(Channel::kSpindleAngle)];
   const double interval_s = 1.0 / signals.rate_hz;
-  double by_angle_rad = 0.0;
-  double excess_rad = 0.0;
+  double pairs = 0.0, late_pairs = 0.0;
+  double by_angle_rad = 0.0, excess_rad = 0.0, change_rad_s = 0.0;
   for (std::size_t row = first; row < last; ++row) {
-    const double step_rad =
-        0.5 * interval_s * (static_cast<double>(speeds[row]) + static_cast<double>(speeds[row + 1]));
+    const auto now_rad_s = static_cast<double>(speeds[row]);
+    const auto next_rad_s = static_cast<double>(speeds[row + 1]);
+    const double step_rad = 0.5 * interval_s * (now_rad_s + next_rad_s);
     const double turned_rad = static_cast<double>(angles[row + 1]) - static_cast<double>(angles[row]);
     // An angle may begin anew with each turn.
     const double beyond_rad = std::remainder(step_rad - turned_rad, 2.0 * std::numbers::pi);
+    if (!std::isfinite(beyond_rad)) continue;
+    pairs += 1.0;
+    late_pairs += signals.time_s(row) >= onset_s ? 1.0 : 0.0;
     excess_rad += beyond_rad;
     by_angle_rad += step_rad - beyond_rad;
+    change_rad_s += next_rad_s - now_rad_s;
   }
-  if (!std::isfinite(excess_rad)) return std::nullopt;
-  const double length_s = interval_s * static_cast<double>(last - first);
-  const double late_s = std::clamp(signals.time_s(last) - onset_s, 0.0, length_s);
-  return Piece{excess_rad / length_s,
-               {late_s / length_s, by_angle_rad / length_s,
-                (static_cast<double>(speeds[last]) - static_cast<double>(speeds[first])) / length_s}};
+  if (pairs < 0.5 * static_cast<double>(last - first)) return std::nullopt;
+  const double length_s = interval_s * pairs;
+  return Piece{excess_rad / length_s, {late_pairs / pairs, by_angle_rad / length_s, change_rad_s / length_s}};
+}
+
+/// What the machine file states of it.
+double known_bias_rad_s(const GapModel& model) {
+  double sum = 0.0;
+  for (const gap::AppliedEffect& known : model.known)
+    if (known.form.effect == gap::Effect::kSpindleSpeedBias) sum += known.coefficient[0];
+  return sum;
 }
 
 }  // namespace
@@ -77,9 +87,9 @@ double angle_evidence(const AxisFit& fit, double evidence) {
   if (newest.form.effect != gap::Effect::kSpindleSpeedBias || !(evidence > 0.0)) return 0.0;
   const auto told = bias_told_by_angle(fit.signals(), newest.onset_s);
   if (!told) return 0.0;
-  const double bias = newest.coefficient[0];
-  const double without = told->bias_rad_s / told->standard_error_rad_s;
-  const double with = (told->bias_rad_s - bias) / told->standard_error_rad_s;
+  const double beyond_known = told->bias_rad_s - known_bias_rad_s(fit.model());
+  const double without = beyond_known / told->standard_error_rad_s;
+  const double with = (beyond_known - newest.coefficient[0]) / told->standard_error_rad_s;
   return std::min(without * without - with * with, 2.0 * evidence);
 }
 

@@ -74,9 +74,9 @@ class Duel {
   /// The rival as its trial has left it.
   void weigh(const EffectTrial& trial, Candidate& rival) {
     rival = trial.candidate;
-    rival.evidence = without_.everywhere - trial.fit.unlikeliness() -
-                     freedom_cost(trial.fit, trial.fit.model().effects.back());
-    rival.evidence += angle_evidence(trial.fit, rival.evidence);
+    const double own = without_.everywhere - trial.fit.unlikeliness() -
+                       freedom_cost(trial.fit, trial.fit.model().effects.back());
+    rival.evidence = own + angle_evidence(trial.fit, own);
     const GapModel& model = trial.fit.model();
     const gap::AppliedEffect& newest = model.effects.back();
     const bool is_possible = !acts_the_wrong_way(newest, trial.fit) && !is_absurd(newest, trial.fit);
@@ -84,7 +84,7 @@ class Duel {
     if (!is_possible || !std::isfinite(rival.evidence)) rival.evidence = -1.0e300;
     if (!(rival.evidence > best_)) return;
     best_ = rival.evidence;
-    kept_ = best_ / rival.promised;
+    kept_ = own / rival.promised;
     if (rival.is_lifted) kept_ = std::min(kept_, 1.0);
     family_ = family_of(rival.form.effect);
   }

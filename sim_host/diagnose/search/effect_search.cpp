@@ -181,7 +181,11 @@ void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vecto
     candidate.onset_s = start.onset_s;
     candidate.coefficient.assign(start.coefficient.begin(), start.coefficient.end());
   }
-  std::erase_if(ranked, [](const Candidate& c) { return !(c.evidence > kNoEvidence); });
+  const bool has_parameter = axis.datasheet().machine.feed.viscous_friction_ns_m > 0.0;
+  std::erase_if(ranked, [has_parameter](const Candidate& c) {
+    const bool is_parameter = c.form.effect == Effect::kFeedViscousFriction && has_parameter;
+    return !(c.evidence > kNoEvidence) || (is_parameter && !(c.onset_s > 0.0));
+  });
   std::sort(ranked.begin(), ranked.end(),
             [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
 }

@@ -24,7 +24,8 @@ std::vector<Candidate> rank_candidates(const AxisFit& axis, const GapStatistics&
                                        const std::vector<gap::EffectForm>& forms);
 
 /// Lets every candidate set in later where that takes more than chance makes it; most evidence first again,
-/// without those that are impossible even so.
+/// without those that are impossible even so, and without viscous friction from the start where that is a
+/// parameter of the feed.
 void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vector<Candidate>& ranked);
 
 /// The same with the onset within its block, and the shape between the grid's, that take most of a part of

@@ -54,31 +54,32 @@ double product_at(std::size_t lag, std::span<const double> block) {
   return count > 0.5 * static_cast<double>(block.size()) ? sum / count : std::nan("");
 }
 
-/// The median of all blocks; 0 where there are too few.
+/// The median of all blocks; NaN where there are too few.
 double usual_product_at(std::size_t lag, std::span<const double> values) {
   std::vector<double> products;
   for (std::size_t first = 0; first + kBlockRows <= values.size(); first += kBlockRows)
     if (const double product = product_at(lag, values.subspan(first, kBlockRows)); std::isfinite(product))
       products.push_back(product);
-  return products.size() < kFewestBlocks ? 0.0 : median_of(products);
+  return products.size() < kFewestBlocks ? std::nan("") : median_of(products);
 }
 
 }  // namespace
 
 // Differences of white noise that are neighbours share a sample, with opposite signs; what lasts has them
-// alike, those of a random walk share nothing. Of one time more than they are taken they share none: a wave
-// does.
+// alike, also farther apart, and those of a random walk share nothing. Lags at which white noise shares
+// nothing differ where there is a wave.
 double white_noise_of(std::span<const float> column, std::size_t differences) {
-  constexpr double kMostOfWave = 0.25;
+  constexpr double kMostOfWave = 0.2;  // differences of a position share 0.25
   std::vector<double> values = differences_of(column, differences);
   for (std::size_t first = 0; first + kBlockRows <= values.size(); first += kBlockRows)
     centre_and_clip(std::span(values).subspan(first, kBlockRows));
+  std::array<double, 3> lasting{};
+  for (std::size_t i = 0; i < lasting.size(); ++i) lasting[i] = usual_product_at(differences + 1 + i, values);
+  if (!std::isfinite(lasting[0] + lasting[1] + lasting[2])) return 0.0;
+  const auto [least, most] = std::ranges::minmax(lasting);
   const double shared = differences == 1 ? 1.0 : 4.0;
-  const double variance = -usual_product_at(1, values) / shared;
-  if (!(variance > 0.0)) return 0.0;
-  for (const std::size_t lag : {differences + 1, differences + 2})
-    if (std::fabs(usual_product_at(lag, values)) > kMostOfWave * variance) return 0.0;
-  return std::sqrt(variance);
+  const double variance = (least - usual_product_at(1, values)) / shared;
+  return variance > 0.0 && most - least <= kMostOfWave * variance ? std::sqrt(variance) : 0.0;
 }
 
 std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, const Sensors& sensors) {
@@ -87,11 +88,10 @@ std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, con
     Channel channel;
     std::size_t differences;
   };
-  constexpr std::array<Watched, 4> kWatched{{{Channel::kSpindleSpeed, 1},
-                                             {Channel::kArmatureCurrent, 1},
-                                             {Channel::kFeedSpeed, 1},
-                                             {Channel::kFeedPosition, 2}}};
+  constexpr std::array<Watched, 3> kWatched{
+      {{Channel::kSpindleSpeed, 1}, {Channel::kFeedSpeed, 1}, {Channel::kFeedPosition, 2}}};
   std::vector<ShownNoise> noisier;
+  if (signals.is_thinned) return noisier;
   for (const auto& [channel, differences] : kWatched) {
     const SensorNoise& stated = sensors[channel];
     if (!signals.has(channel) || !(stated.variance() > 0.0)) continue;

@@ -16,11 +16,12 @@ struct ShownNoise {
 };
 
 /// Standard deviation of what is white in a column, rounding included; 0 where there is too little to tell,
-/// or something else that is as fast. What lasts, random forces among it, makes it smaller, never larger.
+/// or something else that is as fast. What lasts, random forces on a mass among it, makes it smaller.
 /// `differences`: 1, or 2 of a position.
 double white_noise_of(std::span<const float> column, std::size_t differences);
 
-/// Speeds, current and position that are noisier than `sensors` says by half and more.
+/// Speeds and a position that are noisier than `sensors` says by half and more. Not the current, which answers
+/// the voltage of each row within the row where the winding is fast; nor what was thinned.
 std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, const Sensors& sensors);
 
 std::string sentence_of(const ShownNoise& shown);
