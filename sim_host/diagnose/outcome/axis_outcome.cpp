@@ -218,7 +218,7 @@ void keep_ringing(AxisOutcome& outcome) {
 void keep_changed_values(AxisOutcome& outcome) {
   const bool is_gap = !outcome.diagnosis.found.empty() || outcome.unnamed_deviance() > 0.0;
   if (!is_gap || outcome.diagnosis.fit.signals().is_thinned) return;
-  const auto changed = changed_values_of(outcome.diagnosis);
+  const auto changed = changed_values_of(outcome.diagnosis, outcome.least_function());
   if (!changed || changed->deviance < std::max(outcome.least_unnamed(), outcome.unnamed_deviance())) return;
   outcome.diagnosis.found.clear();
   outcome.diagnosis.fit = outcome.diagnosis.nominal;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim_host/diagnose/leftover/leftover.hpp"
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
 #include "sim_host/diagnose/search/onset.hpp"
 
@@ -60,8 +61,16 @@ Parts with_values_of_parts(const AxisFit& fit, double time_s) {
   return parts;
 }
 
-/// Values that both parts tell, and tell apart.
-void tell_values(const Parts& parts, ChangedValues& changed) {
+/// Is something left of which neither machine knows? Then its cause is no change of their values.
+bool leaves_structure(const Parts& parts, double gained, double least_evidence) {
+  constexpr double kLittle = 0.1;
+  double left = 0.0;
+  for (const AxisFit& part : parts) left += leftover_of(part, least_evidence).gain;
+  return left > kLittle * gained;
+}
+
+/// Values that both parts tell, and tell apart. Are there any?
+bool tell_values(const Parts& parts, ChangedValues& changed) {
   constexpr double kSurely = 5.0;  // standard errors
   constexpr double kNoticeably = 0.02;
   const auto before = parameters_of(parts[0]);
@@ -77,14 +86,16 @@ void tell_values(const Parts& parts, ChangedValues& changed) {
         fmt::format("{} is {:.3g} times as large", before[i].name, after[i].refit / before[i].refit));
     torques += i < static_cast<std::size_t>(kTorqueParameters) ? 1.0 : 0.0;
   }
-  if (!told.empty()) changed.torque_share = torques / static_cast<double>(told.size());
-  changed.words = fmt::format("the machine's values, which are others from about {:.4g} s on{}{}",
-                              changed.time_s, told.empty() ? "" : ": ", fmt::join(told, ", "));
+  if (told.empty()) return false;
+  changed.torque_share = torques / static_cast<double>(told.size());
+  changed.words = fmt::format("the machine's values, which are others from about {:.4g} s on: {}",
+                              changed.time_s, fmt::join(told, ", "));
+  return true;
 }
 
 }  // namespace
 
-std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis) {
+std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis, double least_evidence) {
   constexpr double kMayBe = 0.1;  // of what names take, beside the noise that one machine needs
   constexpr double kSurely = 1.05;
   const AxisFit& nominal = diagnosis.nominal;
@@ -102,7 +113,8 @@ std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis) {
   const double gained = one_machine - unlikeliness_of(two_machines) - by_chance;
   if (!(gained > kSurely * named)) return std::nullopt;
   ChangedValues changed{.time_s = start.onset_s, .deviance = gained, .words = {}};
-  tell_values(two_machines, changed);
+  if (!tell_values(two_machines, changed) || leaves_structure(two_machines, gained, least_evidence))
+    return std::nullopt;
   return changed;
 }
 

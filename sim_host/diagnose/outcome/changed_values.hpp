@@ -14,8 +14,8 @@ struct ChangedValues {
   std::string words;          ///< which values have changed, and by how much
 };
 
-/// Present where two machines, one before and one after, explain more than all names do; else what changes is
-/// no value of the model.
-std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis);
+/// Present where two machines, one before and one after, explain more than all names do and leave hardly
+/// anything; else what changes is no value of the model. `least_evidence`: of a function that is left.
+std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis, double least_evidence);
 
 }  // namespace morepro::host
