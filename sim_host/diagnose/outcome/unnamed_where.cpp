@@ -168,8 +168,7 @@ std::vector<FollowedSignal> followed_by_unnamed(const AxisOutcome& outcome) {
   if (outcome.leftover.ringing_hz > 0.0)
     followed.push_back({gap::Balance::kFeedForce, fmt::format("a resonance near {:.0f} Hz behind the motion",
                                                               outcome.leftover.ringing_hz)});
-  if (has_changed(outcome))
-    followed.push_back({balance_of_most(outcome), outcome.leftover.changed_values});
+  if (has_changed(outcome)) followed.push_back({balance_of_most(outcome), outcome.leftover.changed_values});
   const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
   for (const gap::EffectForm& form : outcome.leftover.functions) {
     FollowedSignal one{balance_of(form, fit.signals()), as_known(words_for(form, scales), fit.signals())};
