@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim_host/recording/recording_time.hpp"
+#include "sim_host/support/median.hpp"
 
 namespace morepro::host {
 namespace {
@@ -17,9 +18,7 @@ constexpr double kRateTolerance = 1.0e-3;
 double median_step_s(std::span<const double> times_s) {
   std::vector<double> steps_s;
   for (std::size_t i = 1; i < times_s.size(); ++i) steps_s.push_back(times_s[i] - times_s[i - 1]);
-  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
-  std::nth_element(steps_s.begin(), middle, steps_s.end());
-  return *middle;
+  return median_of(steps_s);
 }
 
 /// Does every typical step span a whole number of samples?

@@ -5,18 +5,14 @@
 #include <numbers>
 #include <vector>
 
+#include "sim_host/support/median.hpp"
+
 namespace morepro::host {
 namespace {
 
 // A hundred rows of memory: jitter averages out, a drift of 0.1 % lags by a tenth of a step.
 constexpr double kFollow = 0.01;
 constexpr std::size_t kRowsForPhase = 200;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double five_digits(double value) {
   const double last_digit = std::pow(10.0, std::floor(std::log10(value)) - 4.0);
@@ -35,7 +31,7 @@ double refined_rate_hz(std::span<const double> times_s, double period_s) {
       const double span_s = times_s[i + lag] - times_s[i];
       periods_s.push_back(span_s / std::max(1.0, std::round(span_s / period_s)));
     }
-    period_s = median(periods_s);
+    period_s = median_of(periods_s);
   }
   return five_digits(1.0 / period_s);
 }

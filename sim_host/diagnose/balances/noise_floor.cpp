@@ -5,6 +5,8 @@
 #include <complex>
 #include <span>
 
+#include "sim_host/support/median.hpp"
+
 namespace morepro::host {
 namespace {
 
@@ -42,12 +44,6 @@ double lasting_share(std::span<const WindowResidual> windows, std::size_t band, 
   return share > kSureOfFloor / std::sqrt(kOverlap * pairs) ? share : 0.0;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double share_of_band(std::span<const WindowResidual> windows, std::size_t band, bool contact) {
   std::vector<double> squares;
   double sum = 0.0;
@@ -60,7 +56,7 @@ double share_of_band(std::span<const WindowResidual> windows, std::size_t band, 
   const auto rows = static_cast<double>(squares.size());
   if (!(rows >= static_cast<double>(kFewestWindows) * rows_of_band(band)) || !(sum > 0.0)) return 1.0;
   const double mean = sum / rows;
-  const double usual = median_of(std::move(squares)) / kMedianOfSquare;
+  const double usual = median_of(squares) / kMedianOfSquare;
   const double scatter = kMedianScatter * std::sqrt(2.0 / (kOverlap * rows));
   const double without_few = usual < mean * (1.0 - kSureOfFloor * scatter) ? usual / mean : 1.0;
   const double without_lasting = 1.0 - lasting_share(windows, band, contact, mean);

@@ -90,19 +90,21 @@ std::string words_for(const gap::EffectForm& form, const gap::EffectScales<doubl
   return fmt::format("the place near {:.4g} m", scales.travel_from_m + place * scales.travel_m);
 }
 
-gap::Balance balance_of(const gap::EffectForm& form, const RecordingSignals& signals) {
-  if (form.effect == gap::Effect::kUnnamedForce) return gap::Balance::kFeedForce;
-  const bool acts_on_voltage = form.effect == gap::Effect::kUnnamedVoltage;
+gap::Balance balance_of_spindle(bool acts_on_voltage, const RecordingSignals& signals) {
   return signals.balance_that_shows(acts_on_voltage ? gap::Balance::kArmatureVoltage
                                                     : gap::Balance::kSpindleTorque);
+}
+
+gap::Balance balance_of(const gap::EffectForm& form, const RecordingSignals& signals) {
+  if (form.effect == gap::Effect::kUnnamedForce) return gap::Balance::kFeedForce;
+  return balance_of_spindle(form.effect == gap::Effect::kUnnamedVoltage, signals);
 }
 
 /// The balance in which most of what has no name sits.
 gap::Balance balance_of_most(const AxisOutcome& outcome) {
   const AxisFit& fit = outcome.diagnosis.fit;
   if (fit.axis() == Axis::kFeed) return gap::Balance::kFeedForce;
-  return fit.signals().balance_that_shows(outcome.leftover.torque_share < 0.5 ? gap::Balance::kArmatureVoltage
-                                                                              : gap::Balance::kSpindleTorque);
+  return balance_of_spindle(outcome.leftover.torque_share < 0.5, fit.signals());
 }
 
 /// The model with the functions that stand in for what has no name.

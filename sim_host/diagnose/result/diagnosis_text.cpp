@@ -6,6 +6,7 @@
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/result/diagnosis_json.hpp"
+#include "sim_host/support/median.hpp"
 
 namespace morepro::host {
 namespace {
@@ -31,9 +32,7 @@ double usual_order(const BalanceResult& balance) {
   for (const GapCell& cell : balance.cells)
     if (cell.by == "order" && cell.from == cell.to) ratios.push_back(cell.residual_ratio);
   if (ratios.empty()) return 1.0;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return median_of(ratios);
 }
 
 /// The kinds of cells that stand out of their balance, the best one of each.

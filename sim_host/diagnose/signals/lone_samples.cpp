@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "sim_host/support/median.hpp"
+
 namespace morepro::host {
 namespace {
 
@@ -50,9 +52,7 @@ double deviation_around(std::size_t row, std::size_t rows, Value value_at) {
     if (!is_own && std::isfinite(value)) values.push_back(std::fabs(value));
   }
   if (values.size() < kReach) return std::numeric_limits<double>::infinity();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return kDeviation * *middle;
+  return kDeviation * median_of(values);
 }
 
 std::optional<Channel> input_of(Channel channel) {

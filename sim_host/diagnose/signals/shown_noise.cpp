@@ -7,17 +7,13 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim_host/support/median.hpp"
+
 namespace morepro::host {
 namespace {
 
 constexpr std::size_t kBlockRows = 256;
 constexpr std::size_t kFewestBlocks = 8;
-
-double median_of(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<double> differences_of(std::span<const float> column, std::size_t times) {
   std::vector<double> values(column.begin(), column.end());
