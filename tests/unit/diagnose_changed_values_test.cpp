@@ -2,7 +2,6 @@
 // the catalogue does that, and several come near.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 
 #include "tests/unit/driven_axis.hpp"
@@ -43,16 +42,6 @@ TEST(ChangedValues, AreALooseConnector) {
   const auto result = diagnosed(record(spindle), machine);
   expect_changed(result, gap::Balance::kArmatureVoltage,
                  "from about 1.8 s on: resistance_ohm is 1.5 times as large");
-}
-
-// Random forces that come at a time change no value.
-TEST(ChangedValues, AreNoRandomForces) {
-  const DrivenAxis axis{.brake_at = [](double speed_m_s) { return 8.0 * std::tanh(speed_m_s / 1.0e-3); },
-                        .random_force_n = 2.0,
-                        .random_from_s = 3.0};
-  const auto result = diagnosed(record(axis), datasheet(0.05));
-  ASSERT_EQ(result.which.size(), 1U) << said(result);
-  EXPECT_EQ(result.which.front().effect, Effect::kFeedCoulombFriction) << said(result);
 }
 
 // Two machines have more values than one effect: what sets in late keeps its name.

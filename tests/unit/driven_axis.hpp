@@ -49,7 +49,6 @@ struct DrivenAxis {
   /// Against the motion, in N, at a speed in m/s.
   std::function<double(double)> brake_at = [](double) { return 0.0; };
   double random_force_n = 0.0;  ///< standard deviation, another one in each row
-  double random_from_s = 0.0;
   SwingingPart part{};
   std::function<double(double)> wanted_m = shaken_m;
   MonitorConfiguration configuration = reference_configuration();
@@ -79,7 +78,7 @@ inline RecordingSignals record(const DrivenAxis& axis) {
     show(signals, Channel::kFeedPosition, place_m + axis.position_noise_m * normal(random));
     const double share_of_mass = axis.mass_over_time(signals.time_s(row));
     const double random_n =
-        axis.random_force_n * normal(random) * (signals.time_s(row) < axis.random_from_s ? 0.0 : 1.0);
+        axis.random_force_n * normal(random);
     for (int step = 0; step < kSteps; ++step) {
       const double pull_m_s2 =
           turn_rate * (turn_rate * stretch_m + 2.0 * axis.part.damping_ratio * (speed_m_s - part_speed_m_s));
