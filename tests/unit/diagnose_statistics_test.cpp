@@ -4,6 +4,7 @@
 
 #include "sim_host/diagnose/fit/axis_fit.hpp"
 #include "sim_host/diagnose/fit/gap_statistics.hpp"
+#include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {
@@ -73,6 +74,23 @@ TEST_F(Statistics, OfInnovationsAloneAreThoseWithColumns) {
   const Eigen::MatrixXd total = all.total();
   ASSERT_EQ(alone.total().size(), 1);
   EXPECT_NEAR(alone.total()(0, 0), total.bottomRightCorner(1, 1)(0, 0), 1.0e-12 * total.maxCoeff());
+}
+
+// Where an onset is, is told in blocks: those that lasted longer by their name than by their rows ended after
+// the recording.
+TEST_F(Statistics, BlocksLastAsLongAsTheirRows) {
+  constexpr double kRoomFor125Rows = 0.01257;
+  const GapStatistics statistics = collect(Axis::kSpindle, signals, all_of(signals), model, Disturbances{},
+                                           whitening, kRoomFor125Rows, Moments::kOfInnovations);
+  EXPECT_EQ(statistics.block_s, 125.0 / signals.rate_hz);
+  EXPECT_EQ(statistics.block.size(), 80U);
+}
+
+TEST_F(Statistics, NoiseOfNothingIsAsItWas) {
+  GapModel fitted = model;
+  const Stretch nothing = after(signals, 2.0 * signals.duration_s());
+  EXPECT_FALSE(fit_noise(Axis::kSpindle, signals, nothing, model.noise, NoiseBounds{}, false, fitted));
+  EXPECT_EQ(fitted.noise.speed_step, model.noise.speed_step);
 }
 
 TEST(QuarterOf, ALongRecordingLiesEverywhereInIt) {

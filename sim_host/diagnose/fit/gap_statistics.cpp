@@ -67,7 +67,7 @@ class Collector {
         width_(width),
         batch_(kBatchRows, width),
         rows_{SensorRows(width), SensorRows(width)} {
-    statistics.block_s = block_s;
+    statistics.block_s = static_cast<double>(rows_per_block_) / signals.rate_hz;
     for (auto& values : statistics.normalised) values.reserve(signals.rows);
     for (auto& rows : statistics.row) rows.reserve(signals.rows);
   }

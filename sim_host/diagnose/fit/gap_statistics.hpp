@@ -22,7 +22,7 @@ inline constexpr double kHuber = 5.0;
 struct GapStatistics {
   std::vector<Eigen::MatrixXd> block;
   std::vector<double> rows;  ///< of each block
-  double block_s = 0.0;
+  double block_s = 0.0;      ///< as long as their whole rows last
   /// May what is left remember itself? Of a thinned recording what remembers itself is structure: to whiten
   /// it would judge by the reversals alone.
   bool may_remember = true;
@@ -42,7 +42,8 @@ struct GapStatistics {
 /// form is tried by itself; or those of the innovations alone.
 enum class Moments : std::uint8_t { kAll, kFormByForm, kOfInnovations };
 
-/// One pass over stretches of a recording, in their order. `block_s` > 0.
+/// One pass over stretches of a recording, in their order, in blocks of as many whole rows as `block_s` > 0
+/// has room for, at least one.
 GapStatistics collect(Axis axis, const RecordingSignals& signals, std::span<const Stretch> stretches,
                       const GapModel& model, const Disturbances& disturbances, const Whitening& whitening,
                       double block_s, Moments moments = Moments::kAll);

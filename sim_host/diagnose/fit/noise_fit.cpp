@@ -21,6 +21,7 @@ double unlikeliness(Axis axis, const RecordingSignals& signals, const Stretch& w
                     std::size_t length) {
   double sum = 0.0;
   const std::size_t rows = within.last - within.first;
+  if (rows == 0) return sum;
   length = std::min(length, std::max<std::size_t>(rows / kStretches, 1));
   for (std::size_t i = 0; i < kStretches; ++i) {
     const std::size_t first = within.first + i * (rows - length) / (kStretches - 1);
