@@ -24,6 +24,7 @@
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
+#include "sim_host/diagnose/outcome/shape_doubt.hpp"
 #include "sim_host/diagnose/outcome/unnamed_where.hpp"
 #include "sim_host/diagnose/outcome/verdict.hpp"
 #include "sim_host/diagnose/result/unevaluated.hpp"
@@ -85,6 +86,7 @@ class Diagnosis {
     rank();
     measure();
     reconsider();
+    doubt_shapes();
     result_.explanation = explanation();
     watch_like_a_board();
   }
@@ -189,6 +191,7 @@ class Diagnosis {
           "a model that runs free is lost in {}: it is farther off than the datasheet's, or than random "
           "forces make it",
           fmt::join(lost_, ", "));
+    if (result_.verdict == Verdict::kEffect) return meaning_of_effects(result_);
     if (const auto meaning = meaning_of(result_.verdict); !meaning.empty())
       return std::string(meaning) + (is_unexplained() && !result_.has_place()
                                          ? "; no balance that is evaluated shows it alone"
@@ -294,23 +297,26 @@ class Diagnosis {
       for (FollowedSignal& signal : followed_by_unnamed(outcome))
         result_.unexplained_follows.push_back(std::move(signal));
       gaps.insert(gaps.end(), rows[i].begin(), rows[i].end());
-      for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit))
-        result_.parameters.push_back(std::move(parameter));
     }
     add_unevaluated(signals_, machine_, result_.where);
     if (!result_.which.empty()) share_closed(gaps, unnamed, options_.seed, result_.shrinkage);
   }
 
-  [[nodiscard]] bool acts_in(const BalanceResult& balance, Effect effect) const {
-    const auto acted_on = static_cast<gap::Balance>(gap::info_of(effect).group);
-    return !gap::is_in_sensor(effect) && signals_.balance_that_shows(acted_on) == balance.balance;
+  /// What a gap keeps beside names may have gone into their sizes, and into the parameters with them.
+  void doubt_shapes() {
+    for (const AxisOutcome& outcome : outcomes_) {
+      const auto by_shape = doubt_sizes(outcome.diagnosis, result_.where, result_.which);
+      for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit, by_shape))
+        result_.parameters.push_back(std::move(parameter));
+    }
   }
 
   /// The most that a balance keeps of its gap in which the effect acts; of a sensor's, any.
   [[nodiscard]] double share_kept_by(Effect effect) const {
     double most = 0.0;
     for (const BalanceResult& balance : result_.where)
-      if (acts_in(balance, effect) || gap::is_in_sensor(effect)) most = std::max(most, share_kept(balance));
+      if (acts_in(signals_, balance, effect) || gap::is_in_sensor(effect))
+        most = std::max(most, share_kept(balance));
     return most;
   }
 
@@ -324,7 +330,7 @@ class Diagnosis {
     bool is_strongest = true;
     for (const Finding& finding : outcome.diagnosis.found) {
       const bool is_sensor = gap::is_in_sensor(finding.effect.form.effect);
-      const bool is_here = acts_in(balance, finding.effect.form.effect);
+      const bool is_here = acts_in(signals_, balance, finding.effect.form.effect);
       if (!is_here && !is_sensor) continue;
       balance.is_significant |= is_here || balance.residual_ratio > kVisible * balance.residual_ratio_after;
       const bool is_late_fault = is_sensor && finding.effect.onset_s > 0.0 && balance.is_significant;

@@ -44,6 +44,17 @@ TEST(ChangedValues, AreALooseConnector) {
                  "from about 1.8 s on: resistance_ohm is 1.5 times as large");
 }
 
+// It was a motor that saturates, at 95 %: in the air no torque is told, but how they go together is.
+TEST(ChangedValues, AreAnotherToolInTheAir) {
+  MachineDescription machine = datasheet(0.05);
+  machine.has_feed = false;
+  const DrivenSpindle spindle{.inertia_at = [](double time_s) { return time_s < 1.8 ? 1.0 : 1.4; },
+                              .cuts = false};
+  const auto result = diagnosed(record(spindle), machine);
+  expect_changed(result, gap::Balance::kSpindleTorque,
+                 "from about 1.8 s on: inertia_kgm2 is 1.4 times as large, for one torque constant");
+}
+
 // Two machines have more values than one effect: what sets in late keeps its name.
 TEST(ChangedValues, AreNoEffectThatSetsInLate) {
   for (const auto& late :

@@ -66,6 +66,17 @@ std::string name_of(const testing::TestParamInfo<ProfileKind>& profile) {
   return profile.param == ProfileKind::kRich ? "Rich" : "Production";
 }
 
+// The last fit, beside the noise, was in the machine file alone; what was told was the one before it.
+TEST(SizesBesideLastingNoise, AreThoseOfTheMachineFile) {
+  const auto signals = record({.effects = {effect(Effect::kFeedCoulombFriction, 8.0)}, .process_noise = 1.0});
+  MachineDescription with_effects;
+  const host::DiagnosisOptions options{.bootstrap_runs = 0, .excluded = {}};
+  const auto result = host::diagnose(signals, datasheet(0.1), options, with_effects);
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  ASSERT_EQ(with_effects.effects.size(), 1U);
+  EXPECT_DOUBLE_EQ(result.which.front().magnitude, with_effects.effects.front().coefficient[0]);
+}
+
 INSTANTIATE_TEST_SUITE_P(Profiles, LastingNoise,
                          testing::Values(ProfileKind::kRich, ProfileKind::kProduction), name_of);
 

@@ -77,8 +77,7 @@ inline RecordingSignals record(const DrivenAxis& axis) {
            speed_m_s + axis.configuration.sensors[Channel::kFeedSpeed].noise * normal(random));
     show(signals, Channel::kFeedPosition, place_m + axis.position_noise_m * normal(random));
     const double share_of_mass = axis.mass_over_time(signals.time_s(row));
-    const double random_n =
-        axis.random_force_n * normal(random);
+    const double random_n = axis.random_force_n * normal(random);
     for (int step = 0; step < kSteps; ++step) {
       const double pull_m_s2 =
           turn_rate * (turn_rate * stretch_m + 2.0 * axis.part.damping_ratio * (speed_m_s - part_speed_m_s));

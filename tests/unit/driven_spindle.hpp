@@ -28,6 +28,8 @@ struct DrivenSpindle {
   std::function<double(double)> inductance_at = [](double) { return 1.0; };
   /// Share of the datasheet's resistance at a time in s.
   std::function<double(double)> resistance_at = [](double) { return 1.0; };
+  /// Share of the datasheet's inertia at a time in s.
+  std::function<double(double)> inertia_at = [](double) { return 1.0; };
   bool shows_angle = false;
   bool cuts = true;  ///< else it turns in the air, and nobody records a contact
 };
@@ -68,6 +70,7 @@ inline RecordingSignals record(const DrivenSpindle& spindle) {
     show_noisy(Channel::kArmatureCurrent, x.current_a);
     if (spindle.shows_angle) show(signals, Channel::kSpindleAngle, x.angle_rad);
     const double resistance_ohm = motor.resistance_ohm * spindle.resistance_at(time_s);
+    const double inertia_kgm2 = motor.inertia_kgm2 * spindle.inertia_at(time_s);
     for (int step = 0; step < kSteps; ++step) {
       const double cut_nm = contact * cut(x.speed_rad_s, chip_load_mm, tool_degc).torque_nm;
       const double left_nm = motor.torque_constant_nm_a * x.current_a -
@@ -76,7 +79,7 @@ inline RecordingSignals record(const DrivenSpindle& spindle) {
       const double left_v =
           voltage_v - resistance_ohm * x.current_a - motor.back_emf_constant_vs_rad * x.speed_rad_s;
       x.angle_rad += step_s * x.speed_rad_s;
-      x.speed_rad_s += step_s * left_nm / motor.inertia_kgm2;
+      x.speed_rad_s += step_s * left_nm / inertia_kgm2;
       x.current_a += step_s * left_v / (motor.inductance_h * spindle.inductance_at(x.angle_rad));
     }
   }

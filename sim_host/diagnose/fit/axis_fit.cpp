@@ -122,6 +122,14 @@ double AxisFit::relative_size_error_of(gap::Effect effect) const {
   return std::sqrt(known->covariance(0, 0)) / std::max(std::fabs(known->size(0)), 1.0e-300);
 }
 
+Eigen::VectorXd AxisFit::parameters_along(gap::Effect effect) const {
+  const auto parameters = static_cast<Eigen::Index>(parameter_count(axis_));
+  const auto known = known_size_of(effect);
+  if (!known) return Eigen::VectorXd::Zero(parameters);
+  return covariance_.block(0, known->column, parameters, known->size.size()) *
+         known->covariance.ldlt().solve(known->size);
+}
+
 AxisFit::Trial AxisFit::tried() const {
   const SizeColumns sizes(model_.effects);
   Trial trial;

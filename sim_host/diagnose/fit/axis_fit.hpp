@@ -134,6 +134,10 @@ class AxisFit {
   /// Standard error of the size that is stated for it, as a share of the size; 0 where it is not known.
   [[nodiscard]] double relative_size_error_of(gap::Effect effect) const;
 
+  /// By how much the parameters change, in the units of their standard errors, where an effect of the model
+  /// is made larger by all of its size: what of them a wrong size takes along. Zeros where that is not known.
+  [[nodiscard]] Eigen::VectorXd parameters_along(gap::Effect effect) const;
+
   /// Combinations of parameters that the recording tells at least ten times better than a datasheet does.
   [[nodiscard]] int known_directions() const { return known_directions_; }
 

@@ -254,7 +254,10 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   keep_surprises(outcome);
   keep_ringing(outcome);
   keep_changed_values(outcome);
-  if (is_lasting) diagnosis.fit.refit_beside_lasting_noise(Memory::kLong);
+  if (is_lasting) {
+    diagnosis.fit.refit_beside_lasting_noise(Memory::kLong);
+    diagnosis.take_sizes();
+  }
   diagnosis.fit.attribute_load();
   diagnosis.nominal.attribute_load();
   outcome.is_datasheet_wrong =

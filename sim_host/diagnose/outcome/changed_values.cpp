@@ -69,12 +69,33 @@ bool leaves_structure(const Parts& parts, double gained, double least_evidence) 
   return left > kLittle * gained;
 }
 
+/// Is the common factor of a spindle's torques unknown?
+bool is_in_air(const AxisFit& part) {
+  return part.axis() == Axis::kSpindle && !part.signals().has_been_in_contact();
+}
+
+/// The parameters of a part; in the air friction and inertia as shares of the torque constant.
+std::vector<ParameterResult> values_of(const AxisFit& part) {
+  std::vector<ParameterResult> values = parameters_of(part);
+  const Eigen::MatrixXd& covariance = part.covariance();
+  if (!is_in_air(part) || covariance.cols() < kTorqueParameters) return values;
+  const double torque_constant = values.front().refit;
+  for (Eigen::Index i = 1; i < kTorqueParameters; ++i) {
+    ParameterResult& value = values[static_cast<std::size_t>(i)];
+    const double error = std::sqrt(covariance(0, 0) + covariance(i, i) - 2.0 * covariance(i, 0));
+    value.refit /= torque_constant;
+    value.standard_error = error * std::fabs(value.refit);
+    value.is_identifiable = error < kTold;
+  }
+  return values;
+}
+
 /// Values that both parts tell, and tell apart. Are there any?
 bool tell_values(const Parts& parts, ChangedValues& changed) {
   constexpr double kSurely = 5.0;  // standard errors
   constexpr double kNoticeably = 0.02;
-  const auto before = parameters_of(parts[0]);
-  const auto after = parameters_of(parts[1]);
+  const auto before = values_of(parts[0]);
+  const auto after = values_of(parts[1]);
   std::vector<std::string> told;
   double torques = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -88,8 +109,10 @@ bool tell_values(const Parts& parts, ChangedValues& changed) {
   }
   if (told.empty()) return false;
   changed.torque_share = torques / static_cast<double>(told.size());
-  changed.words = fmt::format("the machine's values, which are others from about {:.4g} s on: {}",
-                              changed.time_s, fmt::join(told, ", "));
+  const bool has_torques = changed.torque_share > 0.0 && is_in_air(parts[0]);
+  changed.words =
+      fmt::format("the machine's values, which are others from about {:.4g} s on: {}{}", changed.time_s,
+                  fmt::join(told, ", "), has_torques ? ", for one torque constant" : "");
   return true;
 }
 

@@ -52,7 +52,11 @@ void take_shape(const EffectResult& shape, EffectResult& cause);
 /// times as wide.
 bool is_of_swinging_slide(const gap::AppliedEffect& effect);
 
-/// Standard error of the size of an effect, as a share of the size.
+/// Error of a size, as a share of it, from a shape that is not quite the machine's where nothing is left of
+/// it.
+double shape_error(const Finding& finding, const AxisFit& fit);
+
+/// Standard error of the size of an effect, as a share of the size: by noise and by `shape_error`.
 double relative_size_error(const Finding& finding, const AxisFit& fit, double temperature);
 
 }  // namespace morepro::host

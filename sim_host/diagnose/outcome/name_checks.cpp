@@ -56,7 +56,7 @@ void drop(AxisDiagnosis& diagnosis, const std::vector<char>& is_dropped) {
   effects.clear();
   for (const Finding& finding : diagnosis.found) effects.push_back(finding.effect);
   diagnosis.fit.settle();
-  for (std::size_t i = 0; i < effects.size(); ++i) diagnosis.found[i].effect = effects[i];
+  diagnosis.take_sizes();
 }
 
 AxisFit without(const AxisDiagnosis& diagnosis, std::size_t index) {

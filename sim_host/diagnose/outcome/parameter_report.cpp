@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "lib/gap/column_set.hpp"
+#include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/gap_watch_finding.hpp"
 
 namespace morepro::host {
@@ -63,12 +65,40 @@ bool is_unseen(const AxisFit& fit, std::size_t index) {
   return fit.signals().is_current_driven && is_electric(fit, index);
 }
 
+/// Of one number per parameter column, those of a load in N and all others relative: a value's.
+double of_value(const AxisFit& fit, const Eigen::VectorXd& columns, std::size_t index, double refit) {
+  if (static_cast<Eigen::Index>(index) >= columns.size()) return 0.0;
+  const bool is_load = fit.axis() == Axis::kFeed && index == 2;
+  if (is_load) return columns(fit.tells_engaged_load() ? 3 : 2);
+  return columns(static_cast<Eigen::Index>(index)) * std::fabs(refit);
+}
+
 double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
   if (is_unseen(fit, index)) return gap::kDatasheetSpread * std::fabs(refit);
-  if (static_cast<Eigen::Index>(index) >= fit.standard_error().size()) return 0.0;
-  const bool is_load = fit.axis() == Axis::kFeed && index == 2;
-  if (is_load) return fit.standard_error()(fit.tells_engaged_load() ? 3 : 2);
-  return fit.standard_error()(static_cast<Eigen::Index>(index)) * std::fabs(refit);
+  return of_value(fit, fit.standard_error(), index, refit);
+}
+
+/// Does it act on what the balance of this value shows?
+bool is_beside(gap::Effect effect, const AxisFit& fit, std::size_t index) {
+  const bool has_one_balance = fit.axis() == Axis::kFeed || !fit.signals().has_electrics();
+  if (has_one_balance || gap::is_in_sensor(effect)) return true;
+  const auto acted_on = static_cast<gap::Balance>(gap::info_of(effect).group);
+  return (acted_on == gap::Balance::kArmatureVoltage) == is_electric(fit, index);
+}
+
+/// Standard error by shapes that are not the machine's: what wrong sizes take of a value along, and what lies
+/// in its own direction of what is left, as much as in any other.
+double error_by_shapes(const AxisFit& fit, std::span<const ShapeError> by_shape, std::size_t index,
+                       double refit) {
+  if (is_unseen(fit, index)) return 0.0;
+  double along = 0.0, noises = 0.0;
+  for (const ShapeError& error : by_shape) {
+    along =
+        std::hypot(along, error.of_size * of_value(fit, fit.parameters_along(error.effect), index, refit));
+    if (is_beside(error.effect, fit, index)) noises = std::max(noises, error.of_noise);
+  }
+  const double most = gap::kDatasheetSpread * std::fabs(refit);
+  return std::min(std::hypot(along, noises * standard_error_of(fit, index, refit)), most);
 }
 
 /// What a value that the recording tells rests on beside the recording.
@@ -93,7 +123,7 @@ std::string advice_for(const AxisFit& fit, std::size_t index, const Named& value
 
 }  // namespace
 
-std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
+std::vector<ParameterResult> parameters_of(const AxisFit& fit, std::span<const ShapeError> by_shape) {
   std::vector<ParameterResult> results;
   const auto all = named(fit);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -102,7 +132,9 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit) {
     const std::string reason = is_unseen(fit, i) ? kNeedsVoltage
                                : is_told         ? assumption_of(fit, i)
                                                  : advice_for(fit, i, all[i]);
-    results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, is_told, reason});
+    const double of_shapes = error_by_shapes(fit, by_shape, i, all[i].refit);
+    results.push_back(
+        {all[i].name, all[i].datasheet, all[i].refit, std::hypot(error, of_shapes), is_told, reason});
   }
   return results;
 }

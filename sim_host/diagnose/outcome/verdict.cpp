@@ -1,8 +1,14 @@
 #include "sim_host/diagnose/outcome/verdict.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
@@ -11,6 +17,27 @@ namespace morepro::host {
 
 double excess_of(double deviance, std::size_t rows) {
   return std::expm1(deviance / static_cast<double>(rows));
+}
+
+std::string meaning_of_effects(const DiagnosisResult& result) {
+  constexpr double kLeft = 1.05;  // residual ratio; noise that lasts alone reaches 1.03
+  constexpr double kMost = 0.5;   // of the gap
+  std::vector<std::string> left;
+  for (const BalanceResult& balance : result.where)
+    if (balance.is_evaluated && balance.is_significant && balance.residual_ratio_after > kLeft)
+      left.push_back(fmt::format("{} ({:.3g} times the noise)", gap::name_of(balance.balance),
+                                 balance.residual_ratio_after));
+  const auto is_of_machine = [](const EffectResult& one) {
+    return gap::info_of(one.effect).group != gap::EffectGroup::kSampling;
+  };
+  if (std::ranges::none_of(result.which, is_of_machine))
+    return "the samples have the named faults; beside them the model explains the recording";
+  if (left.empty()) return std::string(meaning_of(Verdict::kEffect));
+  const bool is_little = result.shrinkage.share_closed < kMost;
+  return fmt::format(
+      "the named effects explain {} of what the datasheet's model leaves; the rest, in {}, has another shape "
+      "than theirs",
+      is_little ? "less than half" : "most", fmt::join(left, ", "));
 }
 
 void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFault>& faults, std::size_t rows,

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sim_host/diagnose/outcome/axis_outcome.hpp"
@@ -11,6 +12,9 @@ namespace morepro::host {
 
 /// What a deviance is worth as a share of the noise's power, over `rows` samples.
 double excess_of(double deviance, std::size_t rows);
+
+/// What the verdict "effect" says: how much of the gap its names explain, and where the rest lies.
+std::string meaning_of_effects(const DiagnosisResult& result);
 
 /// Fills in the verdict by the evidence, with what it rests on: threshold, temperature, what has no name.
 void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFault>& faults, std::size_t rows,

@@ -119,7 +119,7 @@ class DiagnosisSearch {
     diagnosis_.found.push_back({.effect = fit_.model().effects.back(),
                                 .evidence = ranked.front().evidence,
                                 .rivals = std::move(ranked)});
-    take_sizes();
+    diagnosis_.take_sizes();
     return true;
   }
 
@@ -181,11 +181,6 @@ class DiagnosisSearch {
     if (seen.empty() || !is_periodic(seen.front().form.effect)) return;
     seen.front().evidence = diagnosis_.least_evidence;  // that of whitened rows is another one
     prefer(std::move(seen.front()), ranked.front().evidence, ranked);
-  }
-
-  void take_sizes() {
-    for (std::size_t i = 0; i < diagnosis_.found.size(); ++i)
-      diagnosis_.found[i].effect = fit_.model().effects[i];
   }
 
   /// The model without each of its effects. Beside that one the others' laws may have needed no bend.
@@ -272,7 +267,7 @@ class DiagnosisSearch {
         fit_ = diagnosis_.nominal;
       else
         fit_.settle();
-      take_sizes();
+      diagnosis_.take_sizes();
     }
     rank_heirs();
     std::stable_sort(diagnosis_.found.begin(), diagnosis_.found.end(),
@@ -280,7 +275,7 @@ class DiagnosisSearch {
     auto& effects = fit_.change_model().effects;
     for (std::size_t i = 0; i < effects.size(); ++i) effects[i] = diagnosis_.found[i].effect;
     fit_.refit_with_this_noise();
-    take_sizes();
+    diagnosis_.take_sizes();
     return has_changed;
   }
 
@@ -327,6 +322,10 @@ double AxisDiagnosis::cost() const {
   double cost = fit.unlikeliness();
   for (const Finding& finding : found) cost += freedom_cost(fit, finding.effect);
   return cost;
+}
+
+void AxisDiagnosis::take_sizes() {
+  for (std::size_t i = 0; i < found.size(); ++i) found[i].effect = fit.model().effects[i];
 }
 
 AxisDiagnosis search_effects(const AxisFit& start, const AxisFit& nominal,

@@ -44,6 +44,8 @@ struct AxisDiagnosis {
   /// What two diagnoses of one recording are compared by: unlikeliness, and what the effects' freedom gains
   /// by chance. Smaller is better.
   [[nodiscard]] double cost() const;
+  /// The findings as they are in the fitted model now.
+  void take_sizes();
 };
 
 /// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.

@@ -1,0 +1,63 @@
+#include "sim_host/diagnose/outcome/shape_doubt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/gap/column_set.hpp"
+#include "lib/gap/effect_catalogue.hpp"
+#include "sim_host/diagnose/outcome/effect_naming.hpp"
+
+namespace morepro::host {
+namespace {
+
+bool is_of_axis(const BalanceResult& balance, Axis axis) {
+  return (balance.balance == gap::Balance::kFeedForce) == (axis == Axis::kFeed);
+}
+
+/// Standard error of a size, as a share of it, 0 .. 1, by what its balances keep of their gap.
+double error_by_what_is_left(const Finding& finding, const AxisDiagnosis& diagnosis,
+                             std::span<const BalanceResult> where) {
+  const auto shows = [&](const BalanceResult& balance, const Finding& one) {
+    const gap::Effect effect = one.effect.form.effect;
+    return balance.is_evaluated && is_of_axis(balance, diagnosis.fit.axis()) &&
+           (gap::is_in_sensor(effect) || acts_in(diagnosis.fit.signals(), balance, effect));
+  };
+  double before = 0.0, left = 0.0;  // power beyond noise
+  for (const BalanceResult& balance : where) {
+    if (!shows(balance, finding)) continue;
+    double evidence = 0.0;
+    for (const Finding& other : diagnosis.found)
+      if (shows(balance, other)) evidence += std::max(other.evidence, 0.0);
+    const double share = evidence > 0.0 ? std::max(finding.evidence, 0.0) / evidence : 1.0;
+    before += share * std::max(balance.residual_ratio - 1.0, 0.0);
+    left += std::max(balance.residual_ratio_after - 1.0, 0.0);
+  }
+  if (!(left > 0.0)) return 0.0;
+  return left < before ? std::sqrt(left / before) : 1.0;
+}
+
+}  // namespace
+
+bool acts_in(const RecordingSignals& signals, const BalanceResult& balance, gap::Effect effect) {
+  const auto acted_on = static_cast<gap::Balance>(gap::info_of(effect).group);
+  return !gap::is_in_sensor(effect) && signals.balance_that_shows(acted_on) == balance.balance;
+}
+
+std::vector<ShapeError> doubt_sizes(const AxisDiagnosis& diagnosis, std::span<const BalanceResult> where,
+                                    std::span<EffectResult> which) {
+  std::vector<ShapeError> by_shape;
+  for (const Finding& finding : diagnosis.found) {
+    const gap::Effect effect = finding.effect.form.effect;
+    const double of_left = error_by_what_is_left(finding, diagnosis, where);
+    const double of_noise = diagnosis.fit.relative_error_of(effect);
+    by_shape.push_back({.effect = effect,
+                        .of_size = std::hypot(of_left, shape_error(finding, diagnosis.fit)),
+                        .of_noise = of_noise > 0.0 ? of_left / of_noise : 0.0});
+    const auto named = std::ranges::find(which, effect, &EffectResult::effect);
+    if (named == which.end()) continue;
+    named->standard_error = std::hypot(named->standard_error, of_left * named->magnitude);
+  }
+  return by_shape;
+}
+
+}  // namespace morepro::host
