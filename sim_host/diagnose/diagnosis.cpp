@@ -306,7 +306,8 @@ class Diagnosis {
   void doubt_shapes() {
     for (const AxisOutcome& outcome : outcomes_) {
       const auto by_shape = doubt_sizes(outcome.diagnosis, result_.where, result_.which);
-      for (ParameterResult& parameter : parameters_of(outcome.diagnosis.fit, by_shape))
+      for (ParameterResult& parameter :
+           parameters_of(outcome.diagnosis.fit, by_shape, error_by_unnamed(outcome)))
         result_.parameters.push_back(std::move(parameter));
     }
   }

@@ -52,7 +52,7 @@ TEST(ChangedValues, AreAnotherToolInTheAir) {
                               .cuts = false};
   const auto result = diagnosed(record(spindle), machine);
   expect_changed(result, gap::Balance::kSpindleTorque,
-                 "from about 1.8 s on: inertia_kgm2 is 1.4 times as large, for one torque constant");
+                 "from about 1.8 s on: inertia_kgm2 is 1.4 times as large for one torque constant");
 }
 
 // Two machines have more values than one effect: what sets in late keeps its name.

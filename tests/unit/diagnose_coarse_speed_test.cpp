@@ -19,6 +19,30 @@ TEST(CoarseSpeed, HasLinesOfItsOwn) {
   EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
 }
 
+/// There and back at 0.0202 m/s, in 9 s.
+double even_m(double time_s) {
+  constexpr double kEvenMS = 0.0202;
+  constexpr double kThereAndBackS = 9.0;
+  const double into_s = std::fmod(time_s, kThereAndBackS);
+  return kEvenMS * std::min(into_s, kThereAndBackS - into_s);
+}
+
+// Of an axis that travels on and on hardly a position comes twice, and the machine file alone tells its
+// steps: 20.2 of them a row had a line, and that was "unexplained".
+TEST(CoarsePosition, HasLinesOfItsOwn) {
+  constexpr double kStepM = 1.0e-6;
+  const DrivenAxis axis{.rate_hz = 1000.0,
+                        .rows = 30000,
+                        .has_speed = false,
+                        .position_noise_m = 0.1 * kStepM,
+                        .position_step_m = kStepM,
+                        .wanted_m = even_m};
+  MachineDescription machine = datasheet(0.1);
+  machine.configuration.sensors[Channel::kFeedPosition] = {0.1 * kStepM, kStepM};
+  const DiagnosisResult result = diagnosed(record(axis), machine);
+  EXPECT_EQ(result.verdict, host::Verdict::kParameterError) << said(result);
+}
+
 // Four standard deviations of the sensors: what rounding takes away while the machine turns on and on was a
 // torque constant that saturates, at 98 %.
 TEST(CoarseSteps, AreNoEffectOfAMachineThatTurnsOnAndOn) {

@@ -40,6 +40,7 @@ struct DrivenAxis {
   std::size_t rows = 40000;
   bool has_speed = true;             ///< is the speed recorded, or the position alone?
   double position_noise_m = 1.0e-6;  ///< standard deviation
+  double position_step_m = 0.0;      ///< that positions are rounded to; 0: none
   /// Share of the datasheet's mass at a place in m.
   std::function<double(double)> mass_at = [](double) { return 1.0; };
   /// The same at a time in s.
@@ -75,7 +76,9 @@ inline RecordingSignals record(const DrivenAxis& axis) {
     if (axis.has_speed)
       show(signals, Channel::kFeedSpeed,
            speed_m_s + axis.configuration.sensors[Channel::kFeedSpeed].noise * normal(random));
-    show(signals, Channel::kFeedPosition, place_m + axis.position_noise_m * normal(random));
+    const double seen_m = place_m + axis.position_noise_m * normal(random);
+    const double step_m = axis.position_step_m;
+    show(signals, Channel::kFeedPosition, step_m > 0.0 ? step_m * std::round(seen_m / step_m) : seen_m);
     const double share_of_mass = axis.mass_over_time(signals.time_s(row));
     const double random_n = axis.random_force_n * normal(random);
     for (int step = 0; step < kSteps; ++step) {

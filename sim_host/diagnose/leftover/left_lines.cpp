@@ -82,7 +82,8 @@ bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::s
   // A speed from two coarse positions has the variance of both.
   constexpr double kOfDifference = 2.0;
   const auto& [channel, stated] = sensor_of(fit, sensor);
-  const double step = step_of(fit.signals().value[index_of(channel)]);
+  const std::size_t column = index_of(channel);
+  const double step = std::max(step_of(fit.signals().value[column]), fit.signals().step[column]);
   if (!(step * step / 12.0 > kMostly * stated)) return false;
   const auto& normalised = statistics.normalised[sensor];
   const auto count = static_cast<double>(normalised.size());

@@ -69,20 +69,22 @@ bool leaves_structure(const Parts& parts, double gained, double least_evidence) 
   return left > kLittle * gained;
 }
 
-/// Is the common factor of a spindle's torques unknown?
-bool is_in_air(const AxisFit& part) {
-  return part.axis() == Axis::kSpindle && !part.signals().has_been_in_contact();
+/// Is the common factor of a spindle's torques known in neither part, or in one only?
+bool has_free_factor(const Parts& parts) {
+  return parts[0].axis() == Axis::kSpindle && !(parts[0].tells(0) && parts[1].tells(0));
 }
 
-/// The parameters of a part; in the air friction and inertia as shares of the torque constant.
-std::vector<ParameterResult> values_of(const AxisFit& part) {
+/// The parameters of a part, with friction and inertia as shares of the torque constant.
+std::vector<ParameterResult> for_one_torque_constant(const AxisFit& part) {
+  constexpr double kLeastError = 0.004;  // relative: less than that is rounding, of two that all but agree
   std::vector<ParameterResult> values = parameters_of(part);
   const Eigen::MatrixXd& covariance = part.covariance();
-  if (!is_in_air(part) || covariance.cols() < kTorqueParameters) return values;
   const double torque_constant = values.front().refit;
-  for (Eigen::Index i = 1; i < kTorqueParameters; ++i) {
+  values.front().is_identifiable = false;
+  for (Eigen::Index i = 1; i < std::min(kTorqueParameters, covariance.cols()); ++i) {
     ParameterResult& value = values[static_cast<std::size_t>(i)];
-    const double error = std::sqrt(covariance(0, 0) + covariance(i, i) - 2.0 * covariance(i, 0));
+    const double variance = covariance(0, 0) + covariance(i, i) - 2.0 * covariance(i, 0);
+    const double error = std::max(std::sqrt(std::max(variance, 0.0)), kLeastError);
     value.refit /= torque_constant;
     value.standard_error = error * std::fabs(value.refit);
     value.is_identifiable = error < kTold;
@@ -94,8 +96,9 @@ std::vector<ParameterResult> values_of(const AxisFit& part) {
 bool tell_values(const Parts& parts, ChangedValues& changed) {
   constexpr double kSurely = 5.0;  // standard errors
   constexpr double kNoticeably = 0.02;
-  const auto before = values_of(parts[0]);
-  const auto after = values_of(parts[1]);
+  const bool has_factor = has_free_factor(parts);
+  const auto before = has_factor ? for_one_torque_constant(parts[0]) : parameters_of(parts[0]);
+  const auto after = has_factor ? for_one_torque_constant(parts[1]) : parameters_of(parts[1]);
   std::vector<std::string> told;
   double torques = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -103,16 +106,16 @@ bool tell_values(const Parts& parts, ChangedValues& changed) {
     const double error = std::hypot(before[i].standard_error, after[i].standard_error);
     if (!before[i].is_identifiable || !after[i].is_identifiable) continue;
     if (!(change > kSurely * error && change > kNoticeably * std::fabs(before[i].refit))) continue;
-    told.push_back(
-        fmt::format("{} is {:.3g} times as large", before[i].name, after[i].refit / before[i].refit));
-    torques += i < static_cast<std::size_t>(kTorqueParameters) ? 1.0 : 0.0;
+    const bool is_torque = i < static_cast<std::size_t>(kTorqueParameters);
+    told.push_back(fmt::format("{} is {:.3g} times as large{}", before[i].name,
+                               after[i].refit / before[i].refit,
+                               has_factor && is_torque ? " for one torque constant" : ""));
+    torques += is_torque ? 1.0 : 0.0;
   }
   if (told.empty()) return false;
   changed.torque_share = torques / static_cast<double>(told.size());
-  const bool has_torques = changed.torque_share > 0.0 && is_in_air(parts[0]);
-  changed.words =
-      fmt::format("the machine's values, which are others from about {:.4g} s on: {}{}", changed.time_s,
-                  fmt::join(told, ", "), has_torques ? ", for one torque constant" : "");
+  changed.words = fmt::format("the machine's values, which are others from about {:.4g} s on: {}",
+                              changed.time_s, fmt::join(told, ", "));
   return true;
 }
 

@@ -56,8 +56,10 @@ constexpr double kUnsure = 0.2;
 // Beside a fit that has gone astray: of eight names of tests/blind and our own sweeps none was right, of 1330
 // others (factors up to 1.92) 95 %. The datasheet may be the wrong one.
 constexpr double kOfAnotherMachine = 0.2;
-// Of a second pole: nine sums with it were off by 0.4 of it, as a root mean square, without it by 0.9.
-constexpr double kOfShape = 0.5;
+// Of what adds up to one size, a second pole or a bristle that friction is made of beside: nine sums with a
+// pole were off by 0.4 of it, as a root mean square, without it by 0.9; four frictions without their bristle
+// by 0.9 to 1.0 of it, with it by 0.1 and less.
+constexpr double kOfSum = 0.5;
 // Of 160 names that nothing spoke against, one was a neighbour's whose shape fitted better (tests/blind).
 constexpr double kBestRecord = 0.98;
 
@@ -207,10 +209,13 @@ EffectResult named_fault(const SamplingFault& fault) {
 
 void take_shape(const EffectResult& shape, EffectResult& cause) {
   const bool is_of_lag = is_lag(family_of(cause.effect));
-  if (cause.effect != Effect::kFeedAsymmetricFriction)
-    cause.standard_error = std::hypot(cause.standard_error, shape.standard_error, kOfShape * shape.magnitude);
-  if (!is_of_lag && cause.effect != Effect::kFeedAsymmetricFriction) return;
-  if (is_of_lag) cause.magnitude += shape.magnitude;
+  const bool is_asymmetric = cause.effect == Effect::kFeedAsymmetricFriction;
+  const bool adds_up = is_of_lag || shape.effect == Effect::kFeedPresliding;
+  if (adds_up) cause.magnitude += shape.magnitude;
+  if (!is_asymmetric)
+    cause.standard_error =
+        std::hypot(cause.standard_error, shape.standard_error, (adds_up ? kOfSum : 1.0) * shape.magnitude);
+  if (!is_of_lag && !is_asymmetric) return;
   auto& aliases = cause.alias_set;
   if (std::find(aliases.begin(), aliases.end(), shape.effect) != aliases.end()) return;
   if (aliases.size() == kMostAliases) aliases.pop_back();

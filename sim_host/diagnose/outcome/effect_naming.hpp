@@ -44,7 +44,8 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
 EffectResult named_fault(const SamplingFault& fault);
 
 /// Joins to a cause what gives it its shape: lags one after the other add up, and which is which nobody
-/// knows; nor whether a constant force is friction that depends on the direction.
+/// knows; so do a friction and its bristle; a Stribeck part may be of its size or not; nor does anybody know
+/// whether a constant force is friction that depends on the direction.
 void take_shape(const EffectResult& shape, EffectResult& cause);
 
 /// Is it a play whose name stays and whose width is not told? Where the slide swings at its ends, a play of
@@ -52,8 +53,7 @@ void take_shape(const EffectResult& shape, EffectResult& cause);
 /// times as wide.
 bool is_of_swinging_slide(const gap::AppliedEffect& effect);
 
-/// Error of a size, as a share of it, from a shape that is not quite the machine's where nothing is left of
-/// it.
+/// Error of a size, as a share of it, that even a shape which leaves nothing may put it off by.
 double shape_error(const Finding& finding, const AxisFit& fit);
 
 /// Standard error of the size of an effect, as a share of the size: by noise and by `shape_error`.

@@ -24,6 +24,7 @@ constexpr const char* kWithoutContact =
 constexpr const char* kOneFactor =
     "torque, friction and inertia have one common factor until a known contact load fixes it";
 constexpr const char* kNeedsVoltage = "it needs the armature voltage, which is not recorded";
+constexpr const char* kBent = "what the model leaves of the gap may have bent it";
 constexpr double kOneMotor = 0.05;  // by which the two constants of a motor may differ
 
 struct Named {
@@ -86,12 +87,13 @@ bool is_beside(gap::Effect effect, const AxisFit& fit, std::size_t index) {
   return (acted_on == gap::Balance::kArmatureVoltage) == is_electric(fit, index);
 }
 
-/// Standard error by shapes that are not the machine's: what wrong sizes take of a value along, and what lies
-/// in its own direction of what is left, as much as in any other.
-double error_by_shapes(const AxisFit& fit, std::span<const ShapeError> by_shape, std::size_t index,
-                       double refit) {
+/// Standard error by what the model lacks: what wrong sizes take of a value along, and what lies in its own
+/// direction of what is left, as much as in any other.
+double error_by_model(const AxisFit& fit, std::span<const ShapeError> by_shape, const UnnamedError& unnamed,
+                      std::size_t index, double refit) {
   if (is_unseen(fit, index)) return 0.0;
-  double along = 0.0, noises = 0.0;
+  double along = 0.0;
+  double noises = is_electric(fit, index) ? unnamed.of_voltage : unnamed.of_motion;
   for (const ShapeError& error : by_shape) {
     along =
         std::hypot(along, error.of_size * of_value(fit, fit.parameters_along(error.effect), index, refit));
@@ -123,18 +125,19 @@ std::string advice_for(const AxisFit& fit, std::size_t index, const Named& value
 
 }  // namespace
 
-std::vector<ParameterResult> parameters_of(const AxisFit& fit, std::span<const ShapeError> by_shape) {
+std::vector<ParameterResult> parameters_of(const AxisFit& fit, std::span<const ShapeError> by_shape,
+                                           const UnnamedError& unnamed) {
   std::vector<ParameterResult> results;
   const auto all = named(fit);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const double error = standard_error_of(fit, i, all[i].refit);
-    const bool is_told = error < kTold * std::fabs(all[i].refit) && all[i].refit != 0.0;
+    const double by_noise = standard_error_of(fit, i, all[i].refit);
+    const double error = std::hypot(by_noise, error_by_model(fit, by_shape, unnamed, i, all[i].refit));
+    const double most = kTold * std::fabs(all[i].refit);
     const std::string reason = is_unseen(fit, i) ? kNeedsVoltage
-                               : is_told         ? assumption_of(fit, i)
+                               : error < most    ? assumption_of(fit, i)
+                               : by_noise < most ? kBent
                                                  : advice_for(fit, i, all[i]);
-    const double of_shapes = error_by_shapes(fit, by_shape, i, all[i].refit);
-    results.push_back(
-        {all[i].name, all[i].datasheet, all[i].refit, std::hypot(error, of_shapes), is_told, reason});
+    results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, error < most, reason});
   }
   return results;
 }

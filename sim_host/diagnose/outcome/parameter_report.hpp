@@ -14,13 +14,20 @@ struct ShapeError {
   double of_noise;  ///< what its balances keep of their gap, as a multiple of what noise puts sizes off by
 };
 
-/// Refitted parameters of an axis, with what the recording tells about each. What shapes put values off by is
-/// in the standard errors, up to how far a datasheet is; whether a recording tells a value is a matter of its
-/// noise alone.
-std::vector<ParameterResult> parameters_of(const AxisFit& fit, std::span<const ShapeError> by_shape = {});
+/// What has no name, as a multiple of what noise puts values off by: in the balance of motion, and of
+/// voltage.
+struct UnnamedError {
+  double of_motion = 0.0;
+  double of_voltage = 0.0;
+};
 
-/// How far refitted values may be off, as one standard deviation for all of an axis, relative: the geometric
-/// mean of their standard errors, and at least what a machine changes by from day to day, 0.005; at most 0.5.
+/// Refitted parameters of an axis, with what the recording tells about each. What shapes and what has no name
+/// put values off by is in the standard errors, up to how far a datasheet is.
+std::vector<ParameterResult> parameters_of(const AxisFit& fit, std::span<const ShapeError> by_shape = {},
+                                           const UnnamedError& unnamed = {});
+
+/// How far noise may put refitted values off, as one standard deviation for all of an axis, relative: the
+/// geometric mean over them, and at least what a machine changes by from day to day, 0.005; at most 0.5.
 double spread_of(const AxisFit& fit);
 
 /// Does the recording tell more of the axis than a steady state does?

@@ -60,4 +60,12 @@ std::vector<ShapeError> doubt_sizes(const AxisDiagnosis& diagnosis, std::span<co
   return by_shape;
 }
 
+// A deviance is the square of a distance in standard errors.
+UnnamedError error_by_unnamed(const AxisOutcome& outcome) {
+  const bool is_feed = outcome.diagnosis.fit.axis() == Axis::kFeed;
+  const auto motion = is_feed ? gap::Balance::kFeedForce : gap::Balance::kSpindleTorque;
+  return {.of_motion = std::sqrt(outcome.unnamed_deviance_in(motion)),
+          .of_voltage = std::sqrt(outcome.unnamed_deviance_in(gap::Balance::kArmatureVoltage))};
+}
+
 }  // namespace morepro::host

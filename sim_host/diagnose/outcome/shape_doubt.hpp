@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "sim_host/diagnose/outcome/axis_outcome.hpp"
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
 #include "sim_host/diagnose/result/diagnosis_result.hpp"
 #include "sim_host/diagnose/search/axis_diagnosis.hpp"
@@ -17,5 +18,8 @@ bool acts_in(const RecordingSignals& signals, const BalanceResult& balance, gap:
 /// in any other direction, and has gone into the size.
 std::vector<ShapeError> doubt_sizes(const AxisDiagnosis& diagnosis, std::span<const BalanceResult> where,
                                     std::span<EffectResult> which);
+
+/// What has no name on an axis: how many times farther than noise it may have put values.
+UnnamedError error_by_unnamed(const AxisOutcome& outcome);
 
 }  // namespace morepro::host

@@ -14,6 +14,14 @@
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
 
 namespace morepro::host {
+namespace {
+
+bool is_of_samples(const EffectResult& one) {
+  return one.effect == gap::Effect::kSensorQuantization ||
+         gap::info_of(one.effect).group == gap::EffectGroup::kSampling;
+}
+
+}  // namespace
 
 double excess_of(double deviance, std::size_t rows) {
   return std::expm1(deviance / static_cast<double>(rows));
@@ -21,23 +29,23 @@ double excess_of(double deviance, std::size_t rows) {
 
 std::string meaning_of_effects(const DiagnosisResult& result) {
   constexpr double kLeft = 1.05;  // residual ratio; noise that lasts alone reaches 1.03
-  constexpr double kMost = 0.5;   // of the gap
+  constexpr double kPercent = 100.0;
   std::vector<std::string> left;
   for (const BalanceResult& balance : result.where)
-    if (balance.is_evaluated && balance.is_significant && balance.residual_ratio_after > kLeft)
-      left.push_back(fmt::format("{} ({:.3g} times the noise)", gap::name_of(balance.balance),
-                                 balance.residual_ratio_after));
-  const auto is_of_machine = [](const EffectResult& one) {
-    return gap::info_of(one.effect).group != gap::EffectGroup::kSampling;
-  };
-  if (std::ranges::none_of(result.which, is_of_machine))
-    return "the samples have the named faults; beside them the model explains the recording";
+    if (balance.is_evaluated && balance.residual_ratio_after > kLeft)
+      left.push_back(
+          fmt::format("{} ({:.3g} times)", gap::name_of(balance.balance), balance.residual_ratio_after));
+  const std::string rest = fmt::format("more than noise remains in {}", fmt::join(left, ", "));
+  if (std::ranges::all_of(result.which, is_of_samples))
+    return left.empty()
+               ? "the samples have the named faults; beside them a model with the refitted parameters "
+                 "explains the recording"
+               : "the samples have the named faults; " + rest;
   if (left.empty()) return std::string(meaning_of(Verdict::kEffect));
-  const bool is_little = result.shrinkage.share_closed < kMost;
   return fmt::format(
-      "the named effects explain {} of what the datasheet's model leaves; the rest, in {}, has another shape "
-      "than theirs",
-      is_little ? "less than half" : "most", fmt::join(left, ", "));
+      "the named effects explain {:.0f} % of what refitted parameters leave; {}: another shape than the "
+      "catalogue's, or something without a name",
+      kPercent * std::max(result.shrinkage.share_closed, 0.0), rest);
 }
 
 void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFault>& faults, std::size_t rows,

@@ -13,7 +13,8 @@ namespace morepro::host {
 /// What a deviance is worth as a share of the noise's power, over `rows` samples.
 double excess_of(double deviance, std::size_t rows);
 
-/// What the verdict "effect" says: how much of the gap its names explain, and where the rest lies.
+/// What the verdict "effect" says: whether its names explain the gap, how much of it where something is left,
+/// and in which balances that is.
 std::string meaning_of_effects(const DiagnosisResult& result);
 
 /// Fills in the verdict by the evidence, with what it rests on: threshold, temperature, what has no name.

@@ -174,6 +174,7 @@ RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
   thin.rows = signals.rows / factor;
   thin.missing_rows = signals.missing_rows / factor;
   thin.recorded = signals.recorded;
+  thin.step = signals.step;
   thin.is_current_driven = signals.is_current_driven;
   for (std::size_t c = 0; c < kChannelCount; ++c) {
     const auto& from = signals.value[c];

@@ -47,6 +47,9 @@ struct RecordingSignals {
   /// Deviance, by channel, that coarse steps may be worth to a cause: where a signal rests, rounding takes
   /// the same away from all of its samples.
   std::array<double, kChannelCount> rounding_deviance{};
+  /// Steps that samples come in, as the machine file has them or as they show; 0: none that is known. Where
+  /// hardly a value comes twice nothing shows them.
+  std::array<double, kChannelCount> step{};
 
   std::vector<double> cutting_time_s;  ///< before each row; empty without contact
   /// Way and angle before each row, by the speeds; empty where a sensor shows them, or not followed.

@@ -20,8 +20,8 @@ struct ShownNoise {
 /// `differences`: 1, or 2 of a position.
 double white_noise_of(std::span<const float> column, std::size_t differences);
 
-/// Speeds and a position that are noisier than `sensors` says by half and more. Not the current, which answers
-/// the voltage of each row within the row where the winding is fast; nor what was thinned.
+/// Speeds and a position that are noisier than `sensors` says by half and more. Not the current, which
+/// answers the voltage of each row within the row where the winding is fast; nor what was thinned.
 std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, const Sensors& sensors);
 
 std::string sentence_of(const ShownNoise& shown);
