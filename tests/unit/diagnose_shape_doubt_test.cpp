@@ -74,8 +74,8 @@ TEST_F(DoubtOfSizes, IsNoneWhereNothingIsLeftAndNeverMoreThanTheSize) {
   EXPECT_EQ(which[0].standard_error, which[0].magnitude);
 }
 
-// Friction that takes up to its size for longer than any of the catalogue: 16.3 +- 0.2 N, and a mass of 3.22
-// kg to a thousandth.
+// Friction that takes longer to reach its size than any of the catalogue: a fifth of it is missing, and with
+// noise alone in its error it was missing for sure.
 TEST(ShapeDoubt, IsInTheErrorsOfTheSizeAndOfTheMass) {
   constexpr double kFrictionN = 20.0;
   constexpr double kSlipM_s = 0.003;
