@@ -45,10 +45,15 @@ struct DoubtOfSizes : testing::Test {
   }
 };
 
+// What disturbs a sensor acts in no balance, and shows in those of its axis.
 TEST_F(DoubtOfSizes, IsTheRootOfWhatIsLeftOfTheGap) {
-  find(Effect::kFeedCoulombFriction, 500.0);
-  doubt(101.0, 2.0);
-  EXPECT_NEAR(which[0].standard_error, 0.1 * which[0].magnitude, 1.0e-12);
+  for (const Effect effect : {Effect::kFeedCoulombFriction, Effect::kFeedSpeedDelay}) {
+    diagnosis.found.clear();
+    which.clear();
+    find(effect, 500.0);
+    doubt(101.0, 2.0);
+    EXPECT_NEAR(which[0].standard_error, 0.1 * which[0].magnitude, 1.0e-12) << gap::name_of(effect);
+  }
 }
 
 TEST_F(DoubtOfSizes, IsLargerOfThatWhichIsWorthLess) {
@@ -57,13 +62,6 @@ TEST_F(DoubtOfSizes, IsLargerOfThatWhichIsWorthLess) {
   doubt(101.0, 2.0);
   EXPECT_NEAR(which[0].standard_error, 0.1 / std::sqrt(0.75) * 2.0, 1.0e-12);
   EXPECT_NEAR(which[1].standard_error, 0.1 / std::sqrt(0.25) * 2.0, 1.0e-12);
-}
-
-// What disturbs a sensor acts in no balance, and shows in those of its axis.
-TEST_F(DoubtOfSizes, OfASensorIsThatOfItsAxis) {
-  find(Effect::kFeedSpeedDelay, 500.0);
-  doubt(101.0, 2.0);
-  EXPECT_NEAR(which[0].standard_error, 0.1 * which[0].magnitude, 1.0e-12);
 }
 
 TEST_F(DoubtOfSizes, IsNoneWhereNothingIsLeftAndNeverMoreThanTheSize) {

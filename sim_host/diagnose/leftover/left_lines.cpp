@@ -6,7 +6,6 @@
 
 #include "sim_host/diagnose/fit/white_innovations.hpp"
 #include "sim_host/diagnose/leftover/spectral_lines.hpp"
-#include "sim_host/diagnose/signals/sampling_checks.hpp"
 #include "sim_host/support/turn.hpp"
 
 namespace morepro::host {
@@ -82,8 +81,7 @@ bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::s
   // A speed from two coarse positions has the variance of both.
   constexpr double kOfDifference = 2.0;
   const auto& [channel, stated] = sensor_of(fit, sensor);
-  const std::size_t column = index_of(channel);
-  const double step = std::max(step_of(fit.signals().value[column]), fit.signals().step[column]);
+  const double step = fit.signals().step[index_of(channel)];
   if (!(step * step / 12.0 > kMostly * stated)) return false;
   const auto& normalised = statistics.normalised[sensor];
   const auto count = static_cast<double>(normalised.size());

@@ -200,6 +200,8 @@ std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors&
     };
     const auto& column = signals.value[index_of(channel)];
     Steps steps{.size = step_of(column)};
+    double& coarsest = signals.step[index_of(channel)];
+    coarsest = std::max(steps.size, sensor.lsb);
     if (!is_coarse(steps.size)) steps = late_steps_of(column);
     if (!is_coarse(steps.size)) continue;
     const double ratio = steps.size / sensor.unit();
@@ -210,6 +212,7 @@ std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors&
                       .evidence = kCertain,
                       .onset_s = static_cast<double>(steps.first_row) / signals.rate_hz});
     sensor.lsb = steps.size;
+    coarsest = std::max(coarsest, steps.size);
     signals.rounding_deviance[index_of(channel)] = rounding_deviance(column, steps.size, sensor.noise);
   }
   return faults;

@@ -23,7 +23,7 @@ struct SamplingFault {
 double step_of(const std::vector<float>& column);
 
 /// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them, and
-/// what their rounding may be worth to a cause noted in `signals`.
+/// what their rounding may be worth to a cause noted in `signals`, as are the steps of all sensors.
 std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors& sensors);
 
 /// The sensors with the steps that the machine is known to have beside them.

@@ -10,7 +10,6 @@ namespace morepro::host {
 std::vector<SamplingFault> make_sound(RecordingSignals& signals, Sensors& sensors,
                                       std::vector<std::string>& notices) {
   std::vector<SamplingFault> faults = find_quantization(signals, sensors);
-  for (std::size_t c = 0; c < kChannelCount; ++c) signals.step[c] = sensors[static_cast<Channel>(c)].lsb;
   for (const Channel channel : allow_for_differences(signals, sensors))
     notices.push_back(fmt::format(
         "{} is the difference of a rounded position: twice the variance of its steps is taken for noise",
