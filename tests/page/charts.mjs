@@ -18,6 +18,37 @@ export const inkOf = (page, selector) =>
     return ink;
   }));
 
+export const picturesOf = (page) =>
+  page.$$eval(".chart canvas", (all) => all.map((canvas) => canvas.toDataURL()));
+
+/** A browser smooths a line in one of two ways, as its time allows: the same pixel is then a half or a third covered. */
+const SMOOTHING = 96;
+
+/**
+ * Charts that two lists of pictures show differently. A pixel of one line is up to 56 of 255 off where it is smoothed
+ * in the other way; in the colours of the other theme, or in another place, 162 and more.
+ */
+export async function differing(page, before, after) {
+  const most = await page.evaluate(async ([some, others]) => {
+    const pixelsOf = async (url) => {
+      const image = Object.assign(new Image(), { src: url });
+      await image.decode();
+      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      context.drawImage(image, 0, 0);
+      return context.getImageData(0, 0, image.width, image.height);
+    };
+    const difference = async (url, other) => {
+      if (url === other) return 0;
+      const [a, b] = await Promise.all([pixelsOf(url), pixelsOf(other)]);
+      if (a.width !== b.width || a.height !== b.height) return 255;
+      const covered = ({ data }, i) => (i % 4 === 3 ? data[i] : (data[i] * data[i | 3]) / 255);
+      return a.data.reduce((largest, _, i) => Math.max(largest, Math.abs(covered(a, i) - covered(b, i))), 0);
+    };
+    return Promise.all(some.map((url, i) => difference(url, others[i])));
+  }, [before, after]);
+  return most.map((difference, i) => (difference > SMOOTHING ? `chart ${i}: ${Math.round(difference)} of 255` : [])).flat();
+}
+
 /** From and to, in s. */
 export const shownTime = (page) =>
   page.$eval("#shown", ({ dataset }) => [Number(dataset.from), Number(dataset.to)]);
