@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "lib/gap/gap_watch_finding.hpp"
 #include "sim_host/diagnose/outcome/shape_doubt.hpp"
 #include "sim_host/diagnose/outcome/verdict.hpp"
 #include "tests/unit/driven_axis.hpp"
@@ -108,6 +109,61 @@ TEST(ShapeDoubt, IsInTheValuesBesideWhatHasNoName) {
   ASSERT_NE(mass, result.parameters.end());
   EXPECT_NEAR(mass->refit, reference_machine().feed.mass_kg, 2.0 * mass->standard_error);
   EXPECT_FALSE(mass->is_identifiable);
+}
+
+struct ErrorsByShape : testing::Test {
+  static constexpr Effect kEffect = Effect::kFeedCoulombFriction;
+  static constexpr std::size_t kMass = 0, kViscosity = 1;
+  const RecordingSignals signals = record({.effects = {effect(kEffect, 8.0)}});
+  const host::GapModel model = gap_model(datasheet(0.0), signals);
+  host::AxisFit fit{host::Axis::kFeed, signals, model};
+
+  ErrorsByShape() {
+    fit.change_model().effects.push_back(effect(kEffect, 8.0));
+    fit.refit();
+  }
+
+  [[nodiscard]] host::ParameterResult told(std::size_t index, double of_size, double of_noise) const {
+    const std::vector<host::ShapeError> by_shape{{kEffect, of_size, of_noise}};
+    return host::parameters_of(fit, by_shape)[index];
+  }
+};
+
+// A friction that is held 2 % too large: viscous friction goes where the covariance says, the mass, which is
+// told by other rows, nowhere. A twentieth: the step is small, not infinitely so; its own error: what bends
+// less is not seen.
+TEST_F(ErrorsByShape, ParametersGoAlongAsTheyDoWhereASizeIsHeld) {
+  constexpr double kLarger = 0.02;
+  const auto held = [&](double factor) {
+    host::GapModel held_model = model;
+    held_model.known.push_back(fit.model().effects.front());
+    held_model.known.front().coefficient[0] *= factor;
+    host::AxisFit other(host::Axis::kFeed, signals, held_model);
+    other.set_whitening(fit.whitening());
+    other.refit();
+    return host::parameters_of(other);
+  };
+  const auto as_fitted = held(1.0), larger = held(1.0 + kLarger);
+  const Eigen::VectorXd along = fit.parameters_along(kEffect);
+  for (const std::size_t i : {kMass, kViscosity}) {
+    const double moved = std::log(larger[i].refit / as_fitted[i].refit);
+    const double expected = kLarger * along(static_cast<Eigen::Index>(i));
+    const double noise = told(i, 0.0, 0.0).standard_error;
+    EXPECT_NEAR(moved, expected, 0.05 * std::fabs(expected) + noise / as_fitted[i].refit) << i;
+    EXPECT_NEAR(told(i, kLarger, 0.0).standard_error, std::hypot(noise, expected * told(i, 0.0, 0.0).refit),
+                1.0e-9 * noise);
+  }
+}
+
+TEST_F(ErrorsByShape, CountAsManyNoisesAsAreLeftUpToADatasheets) {
+  const host::ParameterResult plain = told(kMass, 0.0, 0.0);
+  EXPECT_NEAR(told(kMass, 0.0, 3.0).standard_error, std::sqrt(10.0) * plain.standard_error,
+              1.0e-9 * plain.standard_error);
+  EXPECT_TRUE(plain.is_identifiable);
+  const host::ParameterResult worst = told(kMass, 0.0, 1.0e9);
+  EXPECT_NEAR(worst.standard_error, std::hypot(plain.standard_error, gap::kDatasheetSpread * plain.refit),
+              1.0e-9 * plain.refit);
+  EXPECT_FALSE(worst.is_identifiable);
 }
 
 /// A result with one effect, and with this left of the feed's gap.
