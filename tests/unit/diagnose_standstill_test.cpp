@@ -1,4 +1,5 @@
-// How often an axis passes standstill decides whether a part of the recording can stand for all of it.
+// How often an axis passes standstill decides whether a part of the recording can stand for all of it; one
+// that never moves shows nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <random>
 
 #include "sim_host/diagnose/fit/standstill.hpp"
+#include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {
 namespace {
@@ -18,6 +20,7 @@ RecordingSignals shuttle(int turns, double noise = 0.1) {
   RecordingSignals signals;
   signals.rate_hz = kRateHz;
   signals.rows = 10000;
+  signals.recorded = bit_of(Channel::kFeedSpeed);
   std::mt19937 random(1);
   std::normal_distribution<float> sensor(0.0F, static_cast<float>(noise));
   for (std::size_t row = 0; row < signals.rows; ++row) {
@@ -62,6 +65,50 @@ TEST(Standstill, IsSeenThroughSamplesThatWereLost) {
   for (std::size_t row = 0; row < signals.rows; row += 3)
     speed[row] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_TRUE(passes_standstill_seldom(signals));
+}
+
+TEST(Standstill, IsAllThatSensorsShowWithinTheirNoise) {
+  const gap::GapNoise<double> noise{
+      .speed_variance = 0.01, .feed_speed_variance = 0.01, .feed_position_variance = 0.01};
+  EXPECT_FALSE(stands_still(Axis::kFeed, shuttle(1), noise));
+  EXPECT_TRUE(stands_still(Axis::kSpindle, shuttle(1), noise)) << "which was not recorded";
+  RecordingSignals resting = shuttle(1);
+  for (float& speed : resting.value[index_of(Channel::kFeedSpeed)]) speed -= speed > 0.0F ? 1.0F : -1.0F;
+  EXPECT_TRUE(stands_still(Axis::kFeed, resting, noise));
+  RecordingSignals elsewhere;
+  for (const float speed : resting.value[index_of(Channel::kFeedSpeed)])
+    diagnose_test::show(elsewhere, Channel::kFeedPosition, 5.0F + speed);
+  EXPECT_TRUE(stands_still(Axis::kFeed, elsewhere, noise)) << "wherever that is";
+}
+
+/// An axis that is to stay where it is, behind a controller that answers its speed sensor's noise.
+RecordingSignals held(double rate_hz, std::size_t rows, const MonitorConfiguration& machine) {
+  constexpr double kGainNsM = 3000.0;
+  const auto& feed = machine.machine.feed;
+  const double kept = std::exp(-feed.viscous_friction_ns_m / feed.mass_kg / rate_hz);
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  RecordingSignals signals;
+  signals.rate_hz = rate_hz;
+  signals.rows = rows;
+  double speed_m_s = 0.0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double seen_m_s = speed_m_s + machine.sensors[Channel::kFeedSpeed].noise * normal(random);
+    const double force_n = -kGainNsM * seen_m_s;
+    diagnose_test::show(signals, Channel::kFeedSpeed, seen_m_s);
+    diagnose_test::show(signals, Channel::kFeedForce, force_n);
+    speed_m_s = kept * speed_m_s + (1.0 - kept) * force_n / feed.viscous_friction_ns_m;
+  }
+  return signals;
+}
+
+// Such noise tells the mass to a hundredth, and the answer was "no gap": of friction it tells nothing.
+TEST(Standstill, IsNoHealth) {
+  const MachineDescription machine = diagnose_test::datasheet(0.0);
+  const auto result = diagnose_test::diagnosed(held(2000.0, 12000, machine.configuration), machine);
+  EXPECT_EQ(result.verdict, Verdict::kInsufficientExcitation) << diagnose_test::said(result);
+  EXPECT_TRUE(result.board_agrees);
+  EXPECT_EQ(result.explanation, "nothing moves enough in the recording to tell what a model leaves out");
 }
 
 }  // namespace

@@ -65,6 +65,13 @@ void allow(float excitation, gap::GapLimits& limits) {
     limits.excitation = std::min(limits.excitation, kMargin * static_cast<double>(excitation));
 }
 
+/// Raises what a name needs of an axis above what it shows where it stands still: a controller's answer to
+/// its sensors' noise.
+void ask_for_more(float excitation, gap::GapLimits& limits) {
+  constexpr double kMargin = 2.0;
+  limits.excitation = std::max(limits.excitation, kMargin * static_cast<double>(excitation));
+}
+
 /// Lifts what an effect needs above what the best form of an axis without one takes, and the noise to what is
 /// left; of a machine that is right, above what better values than its datasheet's take, too. Noise that
 /// lasts gives each row its share of evidence, and a watch that goes on has up to `kMostRows`. Was there
@@ -143,7 +150,15 @@ gap::GapFinding found_by(std::size_t watches, std::span<const BoardFrame> frames
     judged->finish();
     all = std::move(judged);
   };
-  if (!sight.is_excited) return all->finding();
+  if (!sight.is_excited) {
+    const GapVerdict verdict = all->finding().verdict;
+    if (verdict == GapVerdict::kNotEnoughData || verdict == GapVerdict::kInsufficientExcitation)
+      return all->finding();
+    ask_for_more(all->spindle().evaluation().excitation(), settings.spindle);
+    ask_for_more(all->feed().evaluation().excitation(), settings.feed);
+    judge_again();
+    return all->finding();
+  }
   allow(all->spindle().evaluation().excitation(), settings.spindle);
   allow(all->feed().evaluation().excitation(), settings.feed);
   judge_again();

@@ -52,16 +52,25 @@ std::vector<Eigen::Index> AxisFit::parameter_columns() const {
   return all_columns(static_cast<Eigen::Index>(parameter_count(axis_)));
 }
 
+// Every block has half a megabyte of moments where all candidates are tried: an hour in quarters of a second
+// needed seven gigabytes.
+double AxisFit::block_s() const {
+  constexpr double kUsual = 0.25;
+  constexpr double kMostBlocks = 500.0;
+  return std::max(kUsual, signals_->duration_s() / kMostBlocks);
+}
+
 GapStatistics AxisFit::collect_with(const Disturbances& candidates) const {
-  return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, kBlockS);
+  return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, block_s());
 }
 
 GapStatistics AxisFit::collect_with_each(const Disturbances& candidates) const {
-  return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, kBlockS, Moments::kFormByForm);
+  return collect(axis_, *signals_, stretches_, model_, candidates, whitening_, block_s(),
+                 Moments::kFormByForm);
 }
 
 GapStatistics AxisFit::new_innovations() const {
-  return collect(axis_, *signals_, stretches_, model_, Disturbances{}, whitening_, kBlockS,
+  return collect(axis_, *signals_, stretches_, model_, Disturbances{}, whitening_, block_s(),
                  Moments::kOfInnovations);
 }
 

@@ -94,8 +94,9 @@ class AxisFit {
   /// The same of the model as it stands, nothing fitted.
   [[nodiscard]] double unlikeliness_as_it_is() const;
 
-  /// Second moments with these disturbances as candidates, at the fitted model.
+  /// Second moments with these disturbances as candidates, at the fitted model, in blocks of `block_s()`.
   [[nodiscard]] GapStatistics collect_with(const Disturbances& candidates) const;
+  [[nodiscard]] double block_s() const;
   /// The same for candidates that are tried one by one.
   [[nodiscard]] GapStatistics collect_with_each(const Disturbances& candidates) const;
   /// The innovations of the model as it stands, and the moment of these alone; they are kept until it
@@ -227,6 +228,5 @@ class AxisFit {
 
 /// Of the spindle's parameters those of the torque balance; the others are the voltage balance's.
 inline constexpr Eigen::Index kTorqueParameters = 3;
-inline constexpr double kBlockS = 0.25;
 
 }  // namespace morepro::host

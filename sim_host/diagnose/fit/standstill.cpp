@@ -22,6 +22,19 @@ std::vector<double> calm_speed(const std::vector<float>& speed, double rate_hz) 
   return sums;
 }
 
+/// Mean square of what was recorded, about its mean or about nothing.
+double mean_square(const std::vector<float>& values, bool is_about_mean) {
+  double count = 0.0, mean = 0.0, squares = 0.0;  // the sum of squares about the mean, after Welford
+  for (const float value : values) {
+    if (std::isnan(value)) continue;
+    const double step = static_cast<double>(value) - mean;
+    mean += step / ++count;
+    squares += step * (static_cast<double>(value) - mean);
+  }
+  if (!(count > 0.0)) return 0.0;
+  return squares / count + (is_about_mean ? 0.0 : mean * mean);
+}
+
 }  // namespace
 
 bool passes_standstill_seldom(const RecordingSignals& signals) {
@@ -40,6 +53,18 @@ bool passes_standstill_seldom(const RecordingSignals& signals) {
     way = value;
   }
   return moves > 1 && moves <= kOften;
+}
+
+bool stands_still(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& noise) {
+  constexpr double kMoving =
+      4.0;  // times the noise's variance; a controller's answer to it moves an axis, too
+  const auto is_within = [&](Channel channel, bool is_about_mean, double variance) {
+    return mean_square(signals.value[index_of(channel)], is_about_mean) < kMoving * variance;
+  };
+  if (axis == Axis::kSpindle) return is_within(Channel::kSpindleSpeed, false, noise.speed_variance);
+  if (signals.has(Channel::kFeedSpeed))
+    return is_within(Channel::kFeedSpeed, false, noise.feed_speed_variance);
+  return is_within(Channel::kFeedPosition, true, noise.feed_position_variance);
 }
 
 }  // namespace morepro::host

@@ -1,4 +1,6 @@
 #pragma once
+#include "lib/gap/gap_frame.hpp"
+#include "sim_host/diagnose/fit/gap_model.hpp"
 #include "sim_host/diagnose/signals/recording_signals.hpp"
 
 namespace morepro::host {
@@ -6,5 +8,10 @@ namespace morepro::host {
 /// Does the feed axis pass standstill, and so seldom that a quarter of the recording hardly shows what
 /// friction does there? One whose speed was not recorded does not.
 bool passes_standstill_seldom(const RecordingSignals& signals);
+
+/// Does an axis stand still, as far as its sensors can tell: is the spindle's speed, the feed's, or where
+/// that was not recorded the feed's position about its mean, within their noise? An axis without any of them
+/// does.
+bool stands_still(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& noise);
 
 }  // namespace morepro::host

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lib/gap/effect_catalogue.hpp"
+#include "sim_host/diagnose/fit/standstill.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
@@ -53,7 +54,7 @@ void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFaul
   double named = 0.0, known = 0.0, unnamed = 0.0;
   double deviance = 0.0;  // of what is unnamed
   std::size_t causes = 0;
-  bool has_wrong_parameters = false, has_excitation = false;
+  bool has_wrong_parameters = false, has_excitation = false, has_moved = false;
   for (const AxisOutcome& outcome : outcomes) {
     result.threshold_evidence = std::max(result.threshold_evidence, outcome.threshold());
     result.temperature = std::max(result.temperature, outcome.chance.temperature);
@@ -66,6 +67,8 @@ void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFaul
     causes = std::max(causes, causes_of(outcome.diagnosis.found));
     has_wrong_parameters |= outcome.is_datasheet_wrong;
     has_excitation |= is_excited(outcome.diagnosis.fit);
+    has_moved |= !stands_still(outcome.diagnosis.fit.axis(), outcome.diagnosis.fit.signals(),
+                               outcome.diagnosis.fit.datasheet().noise);
   }
   result.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
   if (deviance < structure_left_by(faults) * static_cast<double>(rows)) unnamed = 0.0;
@@ -75,6 +78,8 @@ void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFaul
     result.verdict = Verdict::kUnexplained;
   else if (causes > 0 || !faults.empty())
     result.verdict = Verdict::kEffect;
+  else if (!has_moved)  // what stands still shows neither friction nor anything that follows a speed
+    result.verdict = Verdict::kInsufficientExcitation;
   else
     result.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;
 }

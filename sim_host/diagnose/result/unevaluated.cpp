@@ -52,7 +52,7 @@ std::string why_undetermined(const RecordingSignals& signals, bool is_any_evalua
   if (std::string lack = too_short(signals); !lack.empty()) return lack;
   if (!is_any_evaluated)
     return "no balance has its signals in the recording and its values in the machine file";
-  return "nothing moves enough in the recording to tell a single parameter";
+  return "nothing moves enough in the recording to tell what a model leaves out";
 }
 
 std::string why_not_evaluated(gap::Balance balance, const RecordingSignals& signals,

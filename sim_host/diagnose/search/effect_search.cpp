@@ -106,16 +106,16 @@ LateStart best_growing_start(const AxisFit& axis, gap::EffectForm form) {
   return best;
 }
 
-/// Blocks tell an onset to a quarter of a second. An effect that begins so much too late leaves a disturbance
+/// Blocks tell an onset to their length. An effect that begins so much too late leaves a disturbance
 /// that parameters and process noise would be fitted to.
 void place_onset(const AxisFit& axis, Candidate& candidate) {
   constexpr double kBeforeS = 1.0;
   constexpr int kSteps = 8;
   AxisFit late = axis;
-  late.look_at_the_end(candidate.onset_s - kBeforeS);
+  late.look_at_the_end(candidate.onset_s - std::max(kBeforeS, axis.block_s()));
   LateStart best;
   best.onset_s = candidate.onset_s;
-  for (double step_s = kBlockS / kSteps; step_s > 0.5 / axis.signals().rate_hz; step_s /= kSteps)
+  for (double step_s = axis.block_s() / kSteps; step_s > 0.5 / axis.signals().rate_hz; step_s /= kSteps)
     try_starts(late, candidate.form, step_s, kSteps, best);
   if (!(best.rss_without > 0.0) || !(best.onset_s > 0.0)) return;
   candidate.onset_s = best.onset_s;

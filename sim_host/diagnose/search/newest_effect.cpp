@@ -317,9 +317,9 @@ void weigh_order_of_lags(AxisFit& trial) {
 void place_onset_of_newest(AxisFit& trial) {
   AxisFit late = trial;
   double& onset_s = late.change_model().effects.back().onset_s;
-  late.look_at_the_end(onset_s - kBeforeOnsetS);
+  late.look_at_the_end(onset_s - std::max(kBeforeOnsetS, trial.block_s()));
   double best = late.unlikeliness_as_it_is();
-  for (double step_s = 0.5 * kBlockS; step_s > 0.01 * kBlockS; step_s *= 0.5)
+  for (double step_s = 0.5 * trial.block_s(); step_s > 0.01 * trial.block_s(); step_s *= 0.5)
     for (const double sign : {-1.0, 1.0}) {
       const double before_s = onset_s;
       onset_s = std::max(before_s + sign * step_s, 0.0);
