@@ -10,7 +10,6 @@
 #include <mutex>
 #include <optional>
 
-#include "lib/gap/column_set.hpp"
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
 #include "sim_host/diagnose/balances/model_comparison.hpp"
@@ -22,6 +21,7 @@
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/diagnose/outcome/axis_outcome.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
+#include "sim_host/diagnose/outcome/detection_limits.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
 #include "sim_host/diagnose/outcome/shape_doubt.hpp"
@@ -87,6 +87,8 @@ class Diagnosis {
     measure();
     reconsider();
     doubt_shapes();
+    if (is_conclusive(result_.verdict))
+      result_.not_found = detection_limits(outcomes_, options_.excluded, {recording_scales(), file_scales()});
     result_.explanation = explanation();
     watch_like_a_board();
   }

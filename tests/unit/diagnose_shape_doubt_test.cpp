@@ -73,6 +73,16 @@ TEST_F(DoubtOfSizes, IsNoneWhereNothingIsLeftAndNeverMoreThanTheSize) {
   EXPECT_EQ(which[0].standard_error, which[0].magnitude);
 }
 
+// A name beside a stronger one that two standard errors tell is seldom there; the strongest mostly is.
+TEST_F(DoubtOfSizes, IsInTheConfidenceOfAWeakName) {
+  find(Effect::kFeedBacklash, 9000.0);
+  find(Effect::kFeedSpeedDelay, 100.0);
+  for (EffectResult& named : which) named.confidence = 0.98;
+  doubt(5.0, 2.0);  // what is left is a half of a size
+  EXPECT_EQ(which[0].confidence, 0.98);
+  EXPECT_NEAR(which[1].confidence, 0.2 * 0.98, 1.0e-12);
+}
+
 // Friction that takes longer to reach its size than any of the catalogue: a fifth of it is missing, and with
 // noise alone in its error it was missing for sure.
 TEST(ShapeDoubt, IsInTheErrorsOfTheSizeAndOfTheMass) {

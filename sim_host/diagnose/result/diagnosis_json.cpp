@@ -98,6 +98,18 @@ Json shrinkage_of(const Shrinkage& s) {
           {"free_run_nrmse_ci90", intervals_of(s.free_run_nrmse)}};
 }
 
+Json not_found(const DiagnosisResult& r) {
+  Json limits = Json::array();
+  for (const DetectionLimit& limit : r.not_found) {
+    const gap::EffectInfo& info = gap::info_of(limit.effect);
+    limits.push_back({{"effect", info.name},
+                      {"detection_limit", json_number(limit.size)},
+                      {"unit", info.unit},
+                      {"needs", info.excitation}});
+  }
+  return limits;
+}
+
 Json board_of(const DiagnosisResult& r) {
   Json board = gap_json(r.board);
   board["agrees"] = r.board_agrees;
@@ -114,6 +126,7 @@ std::string diagnosis_json(const DiagnosisResult& r) {
                   {"where", where_of(r)},
                   {"which", which_of(r)},
                   {"unexplained", unexplained_of(r)},
+                  {"not_found", not_found(r)},
                   {"shrinkage", shrinkage_of(r.shrinkage)},
                   {"parameters", json_parameters(r.parameters)},
                   {"board", board_of(r)},

@@ -27,6 +27,9 @@ constexpr std::string_view name_of(Verdict verdict) {
   return kVerdictNames[static_cast<std::size_t>(verdict)];
 }
 
+/// Is everything in the recording accounted for?
+constexpr bool is_conclusive(Verdict verdict) { return verdict < Verdict::kUnexplained; }
+
 /// What a verdict says; empty for insufficient excitation, of which there are several.
 constexpr std::string_view meaning_of(Verdict verdict) {
   switch (verdict) {
@@ -112,6 +115,12 @@ struct ParameterResult {
   std::string reason;
 };
 
+/// From which size on an effect that has no name would have been found; infinite: not at any.
+struct DetectionLimit {
+  gap::Effect effect = gap::Effect::kSpindleCoulombFriction;
+  double size = 0.0;  ///< in the catalogue's unit
+};
+
 /// A signal of which a function stands in for structure without a name.
 struct FollowedSignal {
   gap::Balance balance = gap::Balance::kSpindleTorque;  ///< that the function is added to
@@ -137,6 +146,7 @@ struct DiagnosisResult {
   /// Of what the datasheet's model leaves beyond noise; all of it where a model that runs free is lost.
   double unexplained_share = 0.0;
   std::vector<FollowedSignal> unexplained_follows;  ///< by that structure, in each balance the best first
+  std::vector<DetectionLimit> not_found;  ///< where nothing is unexplained that may hide it
   double threshold_evidence = 0.0;
   double temperature = 1.0;
   int bootstrap_runs = 0;

@@ -165,6 +165,30 @@ std::string parameter_text(const DiagnosisResult& r) {
   return text;
 }
 
+/// What is said of one effect: no more than three figures of a limit are known.
+std::string limit_text(const DetectionLimit& limit) {
+  const gap::EffectInfo& info = gap::info_of(limit.effect);
+  if (!std::isfinite(limit.size)) return fmt::format("{} ({})", info.name, info.excitation);
+  return fmt::format("{} {:.2g}{}{}", info.name, limit.size, info.unit == "1" ? "" : " ",
+                     info.unit == "1" ? "" : info.unit);
+}
+
+std::string not_found_text(const DiagnosisResult& r) {
+  if (r.not_found.empty()) return "";
+  std::string text = "not found, what would have been from these sizes on\n";
+  std::vector<std::string> not_shown;
+  for (std::size_t g = 0; g < gap::kEffectGroupNames.size(); ++g) {
+    std::vector<std::string> seen;
+    for (const DetectionLimit& limit : r.not_found) {
+      const bool is_here = static_cast<std::size_t>(gap::info_of(limit.effect).group) == g;
+      if (is_here) (std::isfinite(limit.size) ? seen : not_shown).push_back(limit_text(limit));
+    }
+    if (!seen.empty()) text += fmt::format("  {:16}  {}\n", gap::kEffectGroupNames[g], fmt::join(seen, ", "));
+  }
+  if (!not_shown.empty()) text += fmt::format("  {:16}  {}\n", "not shown", fmt::join(not_shown, ", "));
+  return text;
+}
+
 }  // namespace
 
 std::string diagnosis_text(const DiagnosisResult& r) {
@@ -175,7 +199,7 @@ std::string diagnosis_text(const DiagnosisResult& r) {
   const bool is_any_evaluated =
       std::any_of(r.where.begin(), r.where.end(), [](const BalanceResult& b) { return b.is_evaluated; });
   if (!is_any_evaluated) return head + which_text(r);
-  return head + which_text(r) + shrinkage_text(r) + parameter_text(r) +
+  return head + which_text(r) + not_found_text(r) + shrinkage_text(r) + parameter_text(r) +
          fmt::format("threshold   evidence {:.1f}, temperature {:.2f}, {} bootstrap runs\n",
                      r.threshold_evidence, r.temperature, r.bootstrap_runs);
 }

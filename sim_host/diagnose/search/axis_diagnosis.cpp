@@ -10,6 +10,7 @@
 #include "sim_host/diagnose/search/effect_duel.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
+#include "sim_host/diagnose/search/friction_and_drag.hpp"
 #include "sim_host/diagnose/search/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -65,12 +66,50 @@ class DiagnosisSearch {
     diagnosis_.known_evidence = evidence_of_known();
     diagnosis_.least_evidence =
         std::max(diagnosis_.least_evidence, kLeastShareOfKnown * diagnosis_.known_evidence);
-    while (diagnosis_.found.size() < kMostEffects && add_one()) {
-    }
+    add_all();
+    if (split_curve()) add_all();
     if (prune() || diagnosis_.found.size() == kMostEffects) collect_rest();
   }
 
  private:
+  void add_all() {
+    while (diagnosis_.found.size() < kMostEffects && add_one()) {
+    }
+  }
+
+  [[nodiscard]] bool may_be_found(gap::Effect effect) const {
+    const auto is_it = [effect](const gap::AppliedEffect& one) { return one.form.effect == effect; };
+    return std::ranges::count(left_out_, effect) == 0 && std::ranges::none_of(fit_.model().known, is_it);
+  }
+
+  /// Friction and drag for one curve, where these do as well. Was there any?
+  bool split_curve() {
+    constexpr auto kDrag = gap::Effect::kSpindleWindage, kFriction = gap::Effect::kSpindleCoulombFriction;
+    auto& found = diagnosis_.found;
+    const auto curve = std::ranges::find_if(found, [](const Finding& finding) {
+      return finding.effect.form.effect == gap::Effect::kSpindleStribeckFriction;
+    });
+    if (curve == found.end() || found.size() == kMostEffects || !may_be_found(kDrag) ||
+        !may_be_found(kFriction))
+      return false;
+    auto both = friction_and_drag_instead(diagnosis_, static_cast<std::size_t>(curve - found.begin()));
+    if (!both) return false;
+    fit_ = std::move(*both);
+    before_newest_.reset();
+    const Finding replaced = std::move(*curve);
+    found.erase(curve);
+    while (found.size() < fit_.model().effects.size()) {
+      const gap::AppliedEffect& one = fit_.model().effects[found.size()];
+      left_out_.push_back(one.form.effect);
+      found.push_back({.effect = one,
+                       .evidence = replaced.evidence,
+                       .rivals = {{.form = one.form, .evidence = replaced.evidence, .coefficient = {}}}});
+    }
+    inherit_rivals(replaced, found.back());
+    diagnosis_.take_sizes();
+    return true;
+  }
+
   void collect_rest() {
     diagnosis_.others = candidate_forms(fit_.axis(), fit_.signals(), fit_.model(), left_out_);
     diagnosis_.rest = fit_.collect_with_each(diagnosis_.others);

@@ -36,14 +36,25 @@ function followedBy({ follows }) {
   }));
 }
 
+/** From which size on each effect without a name would have had one. */
+function limitsOf(notFound) {
+  if (notFound.length === 0) return "";
+  const words = ({ effect, detection_limit: limit, unit, needs }) =>
+    `${spoken(effect)}: ${limit == null ? `not shown, it needs ${needs}` : `from ${shown(limit, 2)} ${unit} on`}`;
+  return element("details", { className: "limits" },
+    element("summary", { text: "What was not found, and from which size on it would have been" }),
+    element("ul", {}, ...notFound.map((one) => element("li", { text: words(one) }))));
+}
+
 /** Ranked causes with how sure they are. */
-export function addCauses(place, { which, verdict, threshold, unexplained }) {
+export function addCauses(place, { which, verdict, threshold, unexplained, not_found: notFound }) {
   if (which.length === 0) place.append(element("p", { text: NONE[verdict] ?? "" }));
   else place.append(element("ol", { className: "causes" }, ...which.map(causeOf)));
   if (verdict === "unexplained")
     place.append(element("p", {
       text: `${percent(unexplained.share)} of what the datasheet's model leaves has no name.`,
     }), followedBy(unexplained) ?? "");
+  place.append(limitsOf(notFound));
   const { evidence, bootstrap_runs: runs, temperature } = threshold;
   if (evidence === 0) return;  // nothing was looked at
   const chance = `Chance reaches an evidence of ${shown(evidence, 3)} in this recording (${runs} runs); evidence ` +
