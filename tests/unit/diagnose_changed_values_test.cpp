@@ -2,8 +2,11 @@
 // the catalogue does that, and several come near.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
+#include "sim_host/diagnose/fit/nominal_fit.hpp"
+#include "sim_host/diagnose/outcome/axis_outcome.hpp"
 #include "tests/unit/driven_axis.hpp"
 #include "tests/unit/driven_spindle.hpp"
 
@@ -32,6 +35,20 @@ TEST(ChangedValues, AreAPayloadThatThePositionAloneTells) {
                         .mass_over_time = [](double time_s) { return time_s < 3.1 ? 1.0 : 1.4; }};
   const auto result = diagnosed(record(axis), datasheet(0.1));
   expect_changed(result, gap::Balance::kFeedForce, "from about 3.1 s on: mass_kg is 1.4 times as large");
+}
+
+// In production process noise may take it all: then nothing has a name, nothing is left without one, and the
+// answer was "parameter_error", with a mass between the two, of four of four such axes of another simulator.
+TEST(ChangedValues, AreLookedForWhereNothingElseWasFound) {
+  const RecordingSignals signals =
+      record(DrivenAxis{.mass_over_time = [](double time_s) { return time_s < 3.1 ? 1.0 : 1.4; }});
+  const host::GapModel model = gap_model(datasheet(0.1), signals);
+  const host::AxisFit nominal = host::nominal_fits(host::AxisFit(host::Axis::kFeed, signals, model)).front();
+  std::array outcomes{host::AxisOutcome{.diagnosis = {.fit = nominal, .nominal = nominal}}};
+  host::conclude(outcomes);
+  ASSERT_TRUE(host::has_changed(outcomes.front()));
+  EXPECT_NE(outcomes.front().leftover.changed_values.find("mass_kg is 1.4 times as large"),
+            std::string::npos);
 }
 
 // It was a winding that warms, at 98 %.

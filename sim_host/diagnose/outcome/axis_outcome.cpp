@@ -216,8 +216,7 @@ void keep_ringing(AxisOutcome& outcome) {
 
 /// A machine that is another one from some time on looks like whatever may set in there.
 void keep_changed_values(AxisOutcome& outcome) {
-  const bool is_gap = !outcome.diagnosis.found.empty() || outcome.unnamed_deviance() > 0.0;
-  if (!is_gap || outcome.diagnosis.fit.signals().is_thinned) return;
+  if (outcome.diagnosis.fit.signals().is_thinned) return;
   const auto changed = changed_values_of(outcome.diagnosis, outcome.least_function());
   if (!changed || changed->deviance < std::max(outcome.least_unnamed(), outcome.unnamed_deviance())) return;
   outcome.diagnosis.found.clear();
