@@ -49,6 +49,17 @@ gap::Effect effect_of(const std::string& name) {
                                did_you_mean(name, names)));
 }
 
+/// No axis or motor shows itself in so few rows; with milliseconds for seconds the search goes on for
+/// minutes.
+void check_rate(const RecordingInfo& info) {
+  constexpr double kLeastHz = 20.0;
+  if (!(info.rate_hz < kLeastHz)) return;
+  throw UserError(fmt::format(
+      "{}: the recording is sampled at {:g} Hz, a diagnosis needs {:g} Hz; record at such a rate, or "
+      "correct its time_s, which is in s",
+      info.file, info.rate_hz, kLeastHz));
+}
+
 /// The line of progress is gone when this returns: what is printed next has the terminal for itself.
 DiagnosisResult diagnosed(RecordingSignals signals, const MachineDescription& machine,
                           DiagnosisOptions& options, bool is_shown, MachineDescription& with_effects) {
@@ -69,6 +80,7 @@ void run(const DiagnoseArguments& arguments) {
       .bootstrap_runs = arguments.bootstrap_runs, .excluded = {}, .seed = arguments.seed};
   for (const std::string& name : arguments.exclude) options.excluded.push_back(effect_of(name));
   RecordingReader recording(arguments.recording);
+  check_rate(recording.info());
   std::vector<std::string> notices = recording.info().warnings;
   const MachineDescription machine = machine_for(recording, arguments.machine, notices);
   for (const std::string& notice : notices) warn(notice);

@@ -278,7 +278,11 @@ class Contract(Diagnose):
         self.must_refuse(1, "diagnose", "absent.csv", "--json", "a.json")
         self.write("text.csv", "time_s,armature_voltage_v\n0,1\n0.1,zwei\n")
         self.must_refuse(1, "diagnose", "text.csv", "--json", "a.json")
-        self.assertEqual(self.files(), ["run.csv", "text.csv"])
+        slow = "".join(f"{row / 5},1,10,0.1\n" for row in range(300))
+        self.write("ms.csv", "time_s,armature_voltage_v,spindle_speed_rad_s,armature_current_a\n" + slow)
+        self.assertIn("sampled at 5 Hz, a diagnosis needs 20 Hz",
+                      self.must_refuse(1, "diagnose", "ms.csv", "--json", "a.json"))
+        self.assertEqual(self.files(), ["ms.csv", "run.csv", "text.csv"])
 
 
 if __name__ == "__main__":

@@ -59,7 +59,8 @@ class DiagnosisSearch {
                   const std::function<void(double)>& on_progress)
       : diagnosis_(diagnosis),
         fit_(diagnosis.fit),
-        left_out_(excluded.begin(), excluded.end()),
+        excluded_(excluded.begin(), excluded.end()),
+        left_out_(excluded_),
         on_progress_(on_progress) {}
 
   void run() {
@@ -67,8 +68,13 @@ class DiagnosisSearch {
     diagnosis_.least_evidence =
         std::max(diagnosis_.least_evidence, kLeastShareOfKnown * diagnosis_.known_evidence);
     add_all();
-    if (split_curve()) add_all();
-    if (prune() || diagnosis_.found.size() == kMostEffects) collect_rest();
+    bool has_changed = prune();
+    if (split_curve()) {
+      add_all();
+      prune();
+      has_changed = true;
+    }
+    if (has_changed || diagnosis_.found.size() == kMostEffects) collect_rest();
   }
 
  private:
@@ -79,7 +85,9 @@ class DiagnosisSearch {
 
   [[nodiscard]] bool may_be_found(gap::Effect effect) const {
     const auto is_it = [effect](const gap::AppliedEffect& one) { return one.form.effect == effect; };
-    return std::ranges::count(left_out_, effect) == 0 && std::ranges::none_of(fit_.model().known, is_it);
+    const auto& model = fit_.model();
+    return std::ranges::count(excluded_, effect) == 0 && std::ranges::none_of(model.known, is_it) &&
+           std::ranges::none_of(model.effects, is_it);
   }
 
   /// Friction and drag for one curve, where these do as well. Was there any?
@@ -320,6 +328,7 @@ class DiagnosisSearch {
 
   AxisDiagnosis& diagnosis_;
   AxisFit& fit_;
+  const std::vector<gap::Effect> excluded_;
   std::vector<gap::Effect> left_out_;
   std::optional<AxisFit> before_newest_;  ///< without the effect that was found last
   bool is_astray_ = false;                ///< the model as it is, as a beginning for others
