@@ -87,8 +87,8 @@ class Diagnosis {
     measure();
     reconsider();
     doubt_shapes();
-    if (is_conclusive(result_.verdict))
-      result_.not_found = detection_limits(outcomes_, options_.excluded, {recording_scales(), file_scales()});
+    result_.not_found =
+        detection_limits(outcomes_, result_, options_.excluded, {recording_scales(), file_scales()});
     result_.explanation = explanation();
     watch_like_a_board();
   }

@@ -54,6 +54,30 @@ TEST(DetectionLimits, AreNoneOfWhatARecordingCannotShow) {
   EXPECT_EQ(limit_of(result, Effect::kClockJitter), nullptr) << "no law";
 }
 
+// A further name needs a share of the evidence of the strongest one. What the names cannot be told from is
+// not "not found".
+TEST(DetectionLimits, AreHigherBesideAStrongName) {
+  const auto alone = with({}, 0.0);
+  const auto beside =
+      with({effect(Effect::kBrushVoltageDrop, 3.0), effect(Effect::kFeedCoulombFriction, 5.0)}, 0.0);
+  const auto* usual = limit_of(alone, Effect::kInductanceSaturation);
+  const auto* higher = limit_of(beside, Effect::kInductanceSaturation);
+  ASSERT_TRUE(usual != nullptr && higher != nullptr) << said(beside);
+  EXPECT_GT(higher->size, 2.0 * usual->size);
+  for (const host::EffectResult& named : beside.which)
+    for (const Effect alias : named.alias_set)
+      EXPECT_EQ(limit_of(beside, alias), nullptr) << gap::name_of(alias);
+  EXPECT_EQ(limit_of(beside, Effect::kFeedPresliding), nullptr) << "part of a friction";
+}
+
+TEST(DetectionLimits, AreNoneOfASensorThatIsNotThere) {
+  RecordingSignals signals = record({.duration_s = 3.0, .seed = 5});
+  leave_out(signals, Channel::kArmatureCurrent);
+  const auto result = diagnosed(signals, datasheet(0.1));
+  EXPECT_EQ(limit_of(result, Effect::kCurrentBias), nullptr);
+  EXPECT_EQ(limit_of(result, Effect::kResistanceTemperatureDrift), nullptr) << "no winding would show it";
+}
+
 TEST(DetectionLimits, AreNotToldWhereSomethingHasNoName) {
   const auto signals = record({.effects = {effect(Effect::kFeedCoulombFriction, 20.0)}, .rate_hz = 5000.0});
   const auto result =

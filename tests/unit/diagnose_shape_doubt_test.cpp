@@ -80,7 +80,10 @@ TEST_F(DoubtOfSizes, IsInTheConfidenceOfAWeakName) {
   for (EffectResult& named : which) named.confidence = 0.98;
   doubt(5.0, 2.0);  // what is left is a half of a size
   EXPECT_EQ(which[0].confidence, 0.98);
-  EXPECT_NEAR(which[1].confidence, 0.2 * 0.98, 1.0e-12);
+  EXPECT_EQ(which[1].confidence, 0.2);
+  which[1].confidence = 0.1;
+  doubt(5.0, 2.0);
+  EXPECT_EQ(which[1].confidence, 0.1) << "what is doubted already is not doubted twice";
 }
 
 // Friction that takes longer to reach its size than any of the catalogue: a fifth of it is missing, and with

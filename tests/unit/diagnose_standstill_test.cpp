@@ -79,6 +79,10 @@ TEST(Standstill, IsAllThatSensorsShowWithinTheirNoise) {
   for (const float speed : resting.value[index_of(Channel::kFeedSpeed)])
     diagnose_test::show(elsewhere, Channel::kFeedPosition, 5.0F + speed);
   EXPECT_TRUE(stands_still(Axis::kFeed, elsewhere, noise)) << "wherever that is";
+  RecordingSignals slow = resting;
+  for (std::size_t row = 0; row < slow.rows; ++row)
+    diagnose_test::show(slow, Channel::kFeedPosition, 0.01 * static_cast<double>(row));
+  EXPECT_FALSE(stands_still(Axis::kFeed, slow, noise)) << "so slowly that its position alone tells";
 }
 
 /// An axis that is to stay where it is, behind a controller that answers its speed sensor's noise.
@@ -102,7 +106,8 @@ RecordingSignals held(double rate_hz, std::size_t rows, const MonitorConfigurati
   return signals;
 }
 
-// Such noise tells the mass to a hundredth, and the answer was "no gap": of friction it tells nothing.
+// Such noise tells the mass to a hundredth, and the answer was "no gap": of what follows a speed it tells
+// next to nothing.
 TEST(Standstill, IsNoHealth) {
   const MachineDescription machine = diagnose_test::datasheet(0.0);
   const auto result = diagnose_test::diagnosed(held(2000.0, 12000, machine.configuration), machine);

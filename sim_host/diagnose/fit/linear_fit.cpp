@@ -6,9 +6,6 @@
 namespace morepro::host {
 namespace {
 
-// Columns of which less than this share is new are combinations of the others.
-constexpr double kLeastNew = 1.0e-6;
-
 Eigen::MatrixXd block(const Eigen::MatrixXd& moments, const std::vector<Eigen::Index>& rows) {
   return moments(rows, rows);
 }

@@ -28,6 +28,9 @@ struct Remainder {
 Remainder remainder(const Eigen::MatrixXd& moments, const std::vector<Eigen::Index>& active,
                     const Eigen::VectorXd& precision, const Eigen::VectorXd& target);
 
+/// Columns of which less than this share is new are combinations of the active ones.
+inline constexpr double kLeastNew = 1.0e-6;
+
 /// What the columns [first, first + count) would take from the remainder's residual; 0 where they are a
 /// combination of the active ones. Fills `coefficient`.
 double gain_of(const Remainder& remainder, const Eigen::MatrixXd& moments, Eigen::Index first,

@@ -56,15 +56,19 @@ bool passes_standstill_seldom(const RecordingSignals& signals) {
 }
 
 bool stands_still(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& noise) {
-  constexpr double kMoving =
-      4.0;  // times the noise's variance; a controller's answer to it moves an axis, too
-  const auto is_within = [&](Channel channel, bool is_about_mean, double variance) {
-    return mean_square(signals.value[index_of(channel)], is_about_mean) < kMoving * variance;
+  constexpr double kMoving = 4.0;  // times the noise's variance
+  // A controller's answer to its sensors' noise moves a position by some of its own; a stroke by thousands.
+  constexpr double kOnItsWay = 1.0e4;
+  const auto is_within = [&](Channel channel, double most, double variance) {
+    const bool is_about_mean = channel == Channel::kFeedPosition;
+    return mean_square(signals.value[index_of(channel)], is_about_mean) < most * variance;
   };
-  if (axis == Axis::kSpindle) return is_within(Channel::kSpindleSpeed, false, noise.speed_variance);
-  if (signals.has(Channel::kFeedSpeed))
-    return is_within(Channel::kFeedSpeed, false, noise.feed_speed_variance);
-  return is_within(Channel::kFeedPosition, true, noise.feed_position_variance);
+  if (axis == Axis::kSpindle) return is_within(Channel::kSpindleSpeed, kMoving, noise.speed_variance);
+  if (!signals.has(Channel::kFeedSpeed))
+    return is_within(Channel::kFeedPosition, kMoving, noise.feed_position_variance);
+  return is_within(Channel::kFeedSpeed, kMoving, noise.feed_speed_variance) &&
+         (!signals.has(Channel::kFeedPosition) ||
+          is_within(Channel::kFeedPosition, kOnItsWay, noise.feed_position_variance));
 }
 
 }  // namespace morepro::host

@@ -9,9 +9,9 @@ namespace morepro::host {
 /// friction does there? One whose speed was not recorded does not.
 bool passes_standstill_seldom(const RecordingSignals& signals);
 
-/// Does an axis stand still, as far as its sensors can tell: is the spindle's speed, the feed's, or where
-/// that was not recorded the feed's position about its mean, within their noise? An axis without any of them
-/// does.
+/// Does an axis stand still, as far as its sensors can tell? The spindle's speed, the feed's speed, or its
+/// position about its mean are within their noise; where both of the feed's are recorded, the position within
+/// a hundred times that. An axis without any of them does.
 bool stands_still(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& noise);
 
 }  // namespace morepro::host

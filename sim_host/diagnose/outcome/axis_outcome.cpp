@@ -214,11 +214,18 @@ void keep_ringing(AxisOutcome& outcome) {
   outcome.leftover.lines.clear();
 }
 
-/// A machine that is another one from some time on looks like whatever may set in there.
+/// A machine that is another one from some time on looks like whatever may set in there, or like random
+/// forces. Where nothing else was found, payloads were worth 0.11 per row and more, a guide that is tighter
+/// here than there 0.02.
 void keep_changed_values(AxisOutcome& outcome) {
+  constexpr double kLeastAlone = 0.05;  // per row
   if (outcome.diagnosis.fit.signals().is_thinned) return;
+  const bool is_gap = !outcome.diagnosis.found.empty() || outcome.unnamed_deviance() > 0.0;
+  const auto rows = static_cast<double>(outcome.diagnosis.fit.signals().rows);
+  const double least = is_gap ? std::max(outcome.least_unnamed(), outcome.unnamed_deviance())
+                              : std::max(outcome.least_unnamed(), kLeastAlone * rows);
   const auto changed = changed_values_of(outcome.diagnosis, outcome.least_function());
-  if (!changed || changed->deviance < std::max(outcome.least_unnamed(), outcome.unnamed_deviance())) return;
+  if (!changed || changed->deviance < least) return;
   outcome.diagnosis.found.clear();
   outcome.diagnosis.fit = outcome.diagnosis.nominal;
   outcome.leftover = {

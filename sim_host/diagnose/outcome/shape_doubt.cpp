@@ -45,7 +45,7 @@ void doubt_weak_name(const AxisDiagnosis& diagnosis, const Finding& finding, Eff
   const bool is_strongest =
       finding.evidence >= std::ranges::max(diagnosis.found, {}, &Finding::evidence).evidence;
   if (!is_strongest && named.standard_error > kLargestError * std::fabs(named.magnitude))
-    named.confidence *= kSeldomThere;
+    named.confidence = std::min(named.confidence, kSeldomThere);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFaul
     result.verdict = Verdict::kUnexplained;
   else if (causes > 0 || !faults.empty())
     result.verdict = Verdict::kEffect;
-  else if (!has_moved)  // what stands still shows neither friction nor anything that follows a speed
+  else if (!has_moved)  // what stands still hardly shows friction, nor what follows a speed
     result.verdict = Verdict::kInsufficientExcitation;
   else
     result.verdict = has_wrong_parameters ? Verdict::kParameterError : Verdict::kNoGap;

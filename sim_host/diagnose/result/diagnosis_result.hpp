@@ -146,7 +146,7 @@ struct DiagnosisResult {
   /// Of what the datasheet's model leaves beyond noise; all of it where a model that runs free is lost.
   double unexplained_share = 0.0;
   std::vector<FollowedSignal> unexplained_follows;  ///< by that structure, in each balance the best first
-  std::vector<DetectionLimit> not_found;  ///< where nothing is unexplained that may hide it
+  std::vector<DetectionLimit> not_found;            ///< where nothing is unexplained that may hide it
   double threshold_evidence = 0.0;
   double temperature = 1.0;
   int bootstrap_runs = 0;

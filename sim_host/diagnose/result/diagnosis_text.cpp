@@ -175,7 +175,7 @@ std::string limit_text(const DetectionLimit& limit) {
 
 std::string not_found_text(const DiagnosisResult& r) {
   if (r.not_found.empty()) return "";
-  std::string text = "not found, what would have been from these sizes on\n";
+  std::string text = "not found; each alone would have been from about this size on\n";
   std::vector<std::string> not_shown;
   for (std::size_t g = 0; g < gap::kEffectGroupNames.size(); ++g) {
     std::vector<std::string> seen;

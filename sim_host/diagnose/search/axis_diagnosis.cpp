@@ -97,10 +97,10 @@ class DiagnosisSearch {
     const auto curve = std::ranges::find_if(found, [](const Finding& finding) {
       return finding.effect.form.effect == gap::Effect::kSpindleStribeckFriction;
     });
-    if (curve == found.end() || found.size() == kMostEffects || !may_be_found(kDrag) ||
-        !may_be_found(kFriction))
-      return false;
-    auto both = friction_and_drag_instead(diagnosis_, static_cast<std::size_t>(curve - found.begin()));
+    if (curve == found.end() || !may_be_found(kFriction)) return false;
+    const auto index = static_cast<std::size_t>(curve - found.begin());
+    const bool may_drag = may_be_found(kDrag) && found.size() < kMostEffects;
+    auto both = friction_and_drag_instead(diagnosis_, index, may_drag);
     if (!both) return false;
     fit_ = std::move(*both);
     before_newest_.reset();

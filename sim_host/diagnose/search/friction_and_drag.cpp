@@ -52,19 +52,21 @@ bool has_size(const AxisFit& fit, Effect effect) {
 }  // namespace
 
 // Of the curve's evidence the two cost -0.03 to 0.05 more where they were the truth (ten machines of another
-// simulator), 0.34 to 0.8 of true curves with rich excitation, in production and commissioning.
-std::optional<AxisFit> friction_and_drag_instead(const AxisDiagnosis& diagnosis, std::size_t index) {
+// simulator), 0.34 to 0.8 of true curves with rich excitation, in production and commissioning. A curve
+// beside drag costs more than the two do, which then need a viscous friction of nothing.
+std::optional<AxisFit> friction_and_drag_instead(const AxisDiagnosis& diagnosis, std::size_t index,
+                                                 bool may_drag) {
   constexpr double kNearlyAsLikely = 0.1;
   const AxisFit& curve = diagnosis.fit;
   const double evidence = diagnosis.found[index].evidence;
   AxisFit without = curve;
   auto& effects = without.change_model().effects;
   effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(index));
-  AxisFit plain = with_friction(with(without, {.effect = Effect::kSpindleWindage}, evidence), evidence);
-  if (!has_size(plain, Effect::kSpindleWindage)) plain = with_friction(without, evidence);
-  const double dearer = cost_of(plain) - cost_of(curve);
+  AxisFit plain = may_drag ? with(without, {.effect = Effect::kSpindleWindage}, evidence) : without;
+  plain = with_friction(plain, evidence);
+  if (may_drag && !has_size(plain, Effect::kSpindleWindage)) plain = with_friction(without, evidence);
   const bool is_nearer = viscous_deviation(plain) < viscous_deviation(curve);
-  if (!(dearer < (is_nearer ? kNearlyAsLikely * evidence : 0.0))) return std::nullopt;
+  if (!is_nearer || !(cost_of(plain) - cost_of(curve) < kNearlyAsLikely * evidence)) return std::nullopt;
   if (!has_size(plain, Effect::kSpindleCoulombFriction)) return std::nullopt;
   return plain;
 }

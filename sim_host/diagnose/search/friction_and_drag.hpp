@@ -11,6 +11,7 @@ namespace morepro::host {
 /// for one after the other. The fit with both instead of the finding `index`, such a curve, or with friction
 /// alone where the drag has no size: they are the last of its effects, friction behind drag. Nothing where
 /// they are not nearly as likely.
-std::optional<AxisFit> friction_and_drag_instead(const AxisDiagnosis& diagnosis, std::size_t index);
+std::optional<AxisFit> friction_and_drag_instead(const AxisDiagnosis& diagnosis, std::size_t index,
+                                                 bool may_drag);
 
 }  // namespace morepro::host

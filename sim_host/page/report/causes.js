@@ -40,9 +40,9 @@ function followedBy({ follows }) {
 function limitsOf(notFound) {
   if (notFound.length === 0) return "";
   const words = ({ effect, detection_limit: limit, unit, needs }) =>
-    `${spoken(effect)}: ${limit == null ? `not shown, it needs ${needs}` : `from ${shown(limit, 2)} ${unit} on`}`;
+    `${spoken(effect)}: ${limit == null ? `not shown, it needs ${needs}` : `from ${shown(limit, 2)}${unit === "1" ? "" : ` ${unit}`} on`}`;
   return element("details", { className: "limits" },
-    element("summary", { text: "What was not found, and from which size on it would have been" }),
+    element("summary", { text: "What was not found, and from about which size on each alone would have been" }),
     element("ul", {}, ...notFound.map((one) => element("li", { text: words(one) }))));
 }
 
