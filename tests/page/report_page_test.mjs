@@ -180,7 +180,7 @@ test("samples that the page shows are those of the recording, and missing rows a
 
 test("where, which and how far are those of the JSON", async () => {
   const { page } = await open("diagnose");
-  const { where, which, verdict } = json("diagnose");
+  const { where, which, verdict, not_found: notFound } = json("diagnose");
   assert.equal(verdict, "effect");
   const ratios = await page.$$eval(".heat", (cells) => cells.map(({ dataset }) => Number(dataset.ratio)));
   const expected = where.filter(({ evaluated }) => evaluated)
@@ -194,6 +194,10 @@ test("where, which and how far are those of the JSON", async () => {
   assert.equal(largest[1], Math.max(...heats.map(([, heat]) => heat)), "the largest residual is the darkest");
   assert.deepEqual(await page.$$eval(".cause", (all) => all.map(({ dataset }) => dataset.effect)),
     which.map(({ effect }) => effect));
+  const limits = await page.$$eval(".limits li", (all) => all.map(({ textContent }) => textContent));
+  assert.equal(limits.length, notFound.length);
+  assert.ok(limits.length > 10 && limits.every((text) => /: (from [\d.e−-]+( [^ ].*)? on|not shown, it needs .+)$/.test(text)),
+    limits.join("; "));
   const { from, to } = where[0].cells.findLast(({ by }) => by === "time");
   await page.click(".map:has(caption:text-is('Time, s')) tr:first-of-type .heat:last-of-type");
   const shown = await shownTime(page);

@@ -152,8 +152,9 @@ gap::GapFinding found_by(std::size_t watches, std::span<const BoardFrame> frames
   };
   if (!sight.is_excited) {
     const GapVerdict verdict = all->finding().verdict;
-    if (verdict == GapVerdict::kNotEnoughData || verdict == GapVerdict::kInsufficientExcitation)
-      return all->finding();
+    const bool is_told =
+        verdict == GapVerdict::kNotEnoughData || verdict == GapVerdict::kInsufficientExcitation;
+    if (is_told || sight.verdict != Verdict::kInsufficientExcitation) return all->finding();
     ask_for_more(all->spindle().evaluation().excitation(), settings.spindle);
     ask_for_more(all->feed().evaluation().excitation(), settings.feed);
     judge_again();
