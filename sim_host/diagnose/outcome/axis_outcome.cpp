@@ -16,6 +16,7 @@
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/changed_values.hpp"
 #include "sim_host/diagnose/outcome/name_checks.hpp"
+#include "sim_host/diagnose/search/effect_duel.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
@@ -307,7 +308,7 @@ std::optional<AxisOutcome> outcome_beginning_at(const AxisFit& datasheet, const 
   AxisOutcome outcome = outcome_from(starts.front(), starts.front(), options);
   const auto try_from = [&](const AxisFit& start) {
     AxisOutcome other = outcome_from(start, starts.front(), options);
-    if (other.diagnosis.cost() < outcome.diagnosis.cost()) outcome = std::move(other);
+    if (cost_of(other.diagnosis.fit) < cost_of(outcome.diagnosis.fit)) outcome = std::move(other);
   };
   if (starts.size() > 1 && is_doubtful(outcome)) try_from(starts.back());
   if (is_doubtful(outcome) || sets_in_late(outcome))

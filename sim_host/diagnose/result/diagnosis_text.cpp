@@ -96,11 +96,14 @@ std::string where_text(const DiagnosisResult& r) {
   return text + follows_text(r);
 }
 
+std::string with_unit(const std::string& size, gap::Effect effect) {
+  const std::string_view unit = gap::info_of(effect).unit;
+  return unit == "1" ? size : fmt::format("{} {}", size, unit);
+}
+
 std::string size_text(const EffectResult& e) {
   if (std::isnan(e.magnitude)) return "undetermined";
-  const std::string_view unit = gap::info_of(e.effect).unit;
-  const std::string size = fmt::format("{:.4g} +- {:.2g}", e.magnitude, e.standard_error);
-  return unit == "1" ? size : fmt::format("{} {}", size, unit);
+  return with_unit(fmt::format("{:.4g} +- {:.2g}", e.magnitude, e.standard_error), e.effect);
 }
 
 std::string which_text(const DiagnosisResult& r) {
@@ -165,12 +168,10 @@ std::string parameter_text(const DiagnosisResult& r) {
   return text;
 }
 
-/// What is said of one effect: no more than three figures of a limit are known.
 std::string limit_text(const DetectionLimit& limit) {
   const gap::EffectInfo& info = gap::info_of(limit.effect);
   if (!std::isfinite(limit.size)) return fmt::format("{} ({})", info.name, info.excitation);
-  return fmt::format("{} {:.2g}{}{}", info.name, limit.size, info.unit == "1" ? "" : " ",
-                     info.unit == "1" ? "" : info.unit);
+  return fmt::format("{} {}", info.name, with_unit(fmt::format("{:.2g}", limit.size), limit.effect));
 }
 
 std::string not_found_text(const DiagnosisResult& r) {

@@ -366,12 +366,6 @@ double AxisDiagnosis::named_deviance() const {
   return std::max(nominal.unlikeliness() - fit.unlikeliness(), 0.0);
 }
 
-double AxisDiagnosis::cost() const {
-  double cost = fit.unlikeliness();
-  for (const Finding& finding : found) cost += freedom_cost(fit, finding.effect);
-  return cost;
-}
-
 void AxisDiagnosis::take_sizes() {
   for (std::size_t i = 0; i < found.size(); ++i) found[i].effect = fit.model().effects[i];
 }

@@ -41,9 +41,6 @@ struct AxisDiagnosis {
   [[nodiscard]] double needed(const Finding& finding, double usual) const;
   /// Deviance that all names together take.
   [[nodiscard]] double named_deviance() const;
-  /// What two diagnoses of one recording are compared by: unlikeliness, and what the effects' freedom gains
-  /// by chance. Smaller is better.
-  [[nodiscard]] double cost() const;
   /// The findings as they are in the fitted model now.
   void take_sizes();
 };

@@ -23,4 +23,8 @@ AxisFit duel(const AxisFit& fit, const DuelTerms& terms, std::vector<Candidate>&
 /// for the onset.
 double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect);
 
+/// What models of one recording are compared by: how unlikely they make it, and what the freedom of their
+/// effects gains by chance. Smaller is better.
+double cost_of(const AxisFit& fit);
+
 }  // namespace morepro::host

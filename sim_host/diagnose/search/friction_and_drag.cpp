@@ -27,12 +27,6 @@ AxisFit with_friction(const AxisFit& fit, double evidence) {
   return *std::ranges::min_element(fits, {}, &AxisFit::unlikeliness);
 }
 
-double cost_of(const AxisFit& fit) {
-  double cost = fit.unlikeliness();
-  for (const gap::AppliedEffect& effect : fit.model().effects) cost += freedom_cost(fit, effect);
-  return cost;
-}
-
 /// Up or down, as a logarithm; datasheets have viscous friction.
 double viscous_deviation(const AxisFit& fit) {
   const double stated = fit.datasheet().machine.spindle.viscous_friction_nms_rad;
