@@ -77,8 +77,8 @@ TEST(FrictionAndDrag, AreNoCurveBesideADragThatWasFound) {
 
 // A load that follows the speed, which was to be found yet, made a curve of the friction.
 TEST(FrictionAndDrag, AreFrictionAloneWhereNothingDrags) {
-  const auto result = diagnosed(record({.effects = {effect(Effect::kSpindleCoulombFriction, 0.015),
-                                                    effect(Effect::kContactSpeedDependence, 0.02)},
+  const auto result = diagnosed(record({.effects = {effect(Effect::kSpindleCoulombFriction, 0.02),
+                                                    effect(Effect::kContactSpeedDependence, 0.06)},
                                         .duration_s = 8.0,
                                         .rate_hz = 5000.0,
                                         .seed = 1}),
