@@ -9,11 +9,6 @@
 
 namespace morepro::gap {
 
-/// Does the effect sit in a sensor? Else it acts on the machine.
-constexpr bool is_in_sensor(Effect effect) {
-  return effect >= Effect::kSpindleSpeedBias && effect <= Effect::kSampleDropout;
-}
-
 /// Effects that are part of the model already, and the terms that might be missing from it.
 template <class Real, std::size_t kMostTerms, std::size_t kMostApplied, std::size_t kDelaySteps>
 class ColumnSet {

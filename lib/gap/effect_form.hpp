@@ -48,6 +48,11 @@ constexpr bool needs_shape(Effect effect) {
   }
 }
 
+/// Does the effect sit in a sensor? Else it acts on the machine.
+constexpr bool is_in_sensor(Effect effect) {
+  return effect >= Effect::kSpindleSpeedBias && effect <= Effect::kSampleDropout;
+}
+
 /// Is it a delay by whole and broken samples, which takes a memory as long as itself?
 constexpr bool is_delay(Effect effect) {
   return effect == Effect::kSpindleSpeedDelay || effect == Effect::kCurrentDelay ||

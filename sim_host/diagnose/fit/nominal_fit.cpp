@@ -51,14 +51,7 @@ bool leaves_white_noise(const AxisFit& fit) {
 bool leaves_nothing(const AxisFit& fit) {
   constexpr double kNew = 0.99;
   constexpr double kAsExpected = 1.05;
-  constexpr double kLittle = 3.0;
-  gap::GapNoise<double> little = fit.model().noise;
-  expect_process_noise(kLittle * kUsualNoiseShare, little);
-  const gap::GapNoise<double>& noise = fit.model().noise;
-  const bool is_noise_little = noise.speed_step <= little.speed_step &&
-                               noise.current_step <= little.current_step &&
-                               noise.feed_step <= little.feed_step;
-  return is_noise_little && leaves_noise(fit, kNew, kAsExpected);
+  return !needs_noise(fit) && leaves_noise(fit, kNew, kAsExpected);
 }
 
 void noise_first(AxisFit& fit) {
@@ -136,6 +129,15 @@ bool leaves_noise(const AxisFit& fit) {
   constexpr double kMostlyNew = 0.5;
   constexpr double kAsExpected = 1.5;
   return leaves_noise(fit, kMostlyNew, kAsExpected);
+}
+
+bool needs_noise(const AxisFit& fit) {
+  constexpr double kLittle = 3.0;
+  gap::GapNoise<double> little = fit.model().noise;
+  expect_process_noise(kLittle * kUsualNoiseShare, little);
+  const gap::GapNoise<double>& noise = fit.model().noise;
+  return noise.speed_step > little.speed_step || noise.current_step > little.current_step ||
+         noise.feed_step > little.feed_step;
 }
 
 std::vector<AxisFit> nominal_fits(const AxisFit& start) {

@@ -145,9 +145,14 @@ class DiagnosisSearch {
     prefer_what_memory_hides(ranked);
     if (add_best_of(ranked)) return true;
     // A model without effects may have taken for noise what is missing.
-    if (is_astray_ || !diagnosis_.found.empty() || leaves_noise(fit_)) return false;
+    if (is_astray_ || !diagnosis_.found.empty()) return false;
+    if (!leaves_noise(fit_))
+      prefer_by_datasheet(ranked);
+    else if (needs_noise(fit_))
+      prefer_what_noise_hides(ranked);
+    else
+      return false;
     is_astray_ = true;
-    prefer_by_datasheet(ranked);
     return add_best_of(std::move(ranked));
   }
 
@@ -197,11 +202,23 @@ class DiagnosisSearch {
   void prefer_by_datasheet(std::vector<Candidate>& ranked) const {
     AxisFit fit = at_datasheet(fit_);
     if (is_bent(fit_)) fit.match_noise();  // which may take what is hidden from the other model, too
-    auto others = ranked_beside(fit);
+    prefer_all(ranked_beside(fit), ranked);
+  }
+
+  /// The best of them come first.
+  static void prefer_all(std::vector<Candidate> others, std::vector<Candidate>& ranked) {
     others.resize(std::min(others.size(), kMostRivals - 1));
     const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
     for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred)
-      prefer(*preferred, most, ranked);
+      prefer(std::move(*preferred), most, ranked);
+  }
+
+  /// What explains most beside the usual process noise comes first; random forces that it passed for hide it.
+  void prefer_what_noise_hides(std::vector<Candidate>& ranked) const {
+    AxisFit quiet = fit_;
+    quiet.expect_noise(kUsualNoiseShare);
+    quiet.set_whitening({});
+    prefer_all(ranked_beside(quiet), ranked);
   }
 
   /// A constant force on an axis that sticks is in no linearisation: the friction holds it, and gets bent by

@@ -1,6 +1,7 @@
 #include "sim_host/diagnose/search/effect_trial.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "lib/gap/board_forms.hpp"
@@ -94,10 +95,7 @@ AxisFit roughly_fitted(const AxisFit& fit, const Candidate& candidate, const Axi
   return trusting.unlikeliness() < best.unlikeliness() ? trusting : best;
 }
 
-}  // namespace
-
-EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::Rival without,
-                       bool is_astray) {
+EffectTrial tried(const AxisFit& fit, const Candidate& candidate, AxisFit::Rival without, bool is_astray) {
   if (keeps_its_side(candidate.form.effect)) without.in_part = AxisFit::kNone;
   EffectTrial trial{refined(fit, candidate), fit};
   trial.fit = roughly_fitted(fit, trial.candidate, without, is_astray);
@@ -113,6 +111,20 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, AxisFit::
   weigh_bend(trial.fit, trial.fit.model().effects.size() - 1);
   trial.candidate.form = trial.fit.model().effects.back().form;
   return trial;
+}
+
+}  // namespace
+
+// Before the first cut nothing swings, and a resonance that is not yet tuned does best without its first
+// swing, from where it is tuned to what it has lost.
+EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, const AxisFit::Rival& without,
+                       bool is_astray) {
+  EffectTrial trial = tried(fit, candidate, without, is_astray);
+  if (candidate.form.effect != gap::Effect::kShaftCompliance || !(candidate.onset_s > 0.0)) return trial;
+  Candidate early = candidate;
+  early.onset_s = 0.0;
+  EffectTrial from_start = tried(fit, early, without, is_astray);
+  return from_start.fit.unlikeliness() < trial.fit.unlikeliness() ? std::move(from_start) : std::move(trial);
 }
 
 bool is_bent(const AxisFit& fit) {
