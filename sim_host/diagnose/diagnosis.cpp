@@ -19,11 +19,11 @@
 #include "sim_host/diagnose/board/board_watch.hpp"
 #include "sim_host/diagnose/board/fitted_machine.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
+#include "sim_host/diagnose/fit/shown_by_innovations.hpp"
 #include "sim_host/diagnose/outcome/axis_outcome.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/detection_limits.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
-#include "sim_host/diagnose/outcome/parameter_report.hpp"
 #include "sim_host/diagnose/outcome/shape_doubt.hpp"
 #include "sim_host/diagnose/outcome/unnamed_where.hpp"
 #include "sim_host/diagnose/outcome/verdict.hpp"
@@ -34,7 +34,6 @@
 #include "sim_host/diagnose/signals/current_drive.hpp"
 #include "sim_host/diagnose/signals/reference_scales.hpp"
 #include "sim_host/diagnose/signals/sampling_checks.hpp"
-#include "sim_host/diagnose/signals/shown_noise.hpp"
 #include "sim_host/diagnose/signals/slow_motion.hpp"
 #include "sim_host/diagnose/signals/sound_samples.hpp"
 #include "sim_host/machine/setting_key.hpp"
@@ -86,7 +85,7 @@ class Diagnosis {
     rank();
     measure();
     reconsider();
-    doubt_shapes();
+    doubt_shapes(outcomes_, result_);
     result_.not_found =
         detection_limits(outcomes_, result_, options_.excluded, {recording_scales(), file_scales()});
     result_.explanation = explanation();
@@ -165,7 +164,7 @@ class Diagnosis {
   void heed_shown_noise(Sensors& sensors) {
     const auto shakes = [](const SamplingFault& fault) { return fault.effect == Effect::kClockJitter; };
     const bool may_shake = std::ranges::count(options_.excluded, Effect::kClockJitter) == 0;
-    const std::vector<ShownNoise> noisier = noisier_than_stated(signals_, sensors);
+    const std::vector<ShownNoise> noisier = noisier_sensors(signals_, sensors, fits());
     if (noisier.empty() || (may_shake && std::ranges::any_of(faults_, shakes))) return;
     std::erase_if(faults_, shakes);
     for (const ShownNoise& shown : noisier) {
@@ -178,10 +177,14 @@ class Diagnosis {
     look_for_jitter();
   }
 
-  void look_for_jitter() {
+  std::vector<const AxisFit*> fits() const {
     std::vector<const AxisFit*> fits;
     for (const AxisOutcome& outcome : outcomes_) fits.push_back(&outcome.diagnosis.fit);
-    const auto [jitter, of_law, fit, sensor] = find_shaking(fits);
+    return fits;
+  }
+
+  void look_for_jitter() {
+    const auto [jitter, of_law, fit, sensor] = find_shaking(fits());
     constexpr double kLeastShare = 0.05;  // of the evidence that is named
     if (jitter && jitter->evidence >= kLeastShare * named_deviance_of(outcomes_)) faults_.push_back(*jitter);
     if (of_law > 0.0) outcomes_[fit].keep_without_name(of_law, sensor == 0 ? 1.0 : 0.0);
@@ -302,16 +305,6 @@ class Diagnosis {
     }
     add_unevaluated(signals_, machine_, result_.where);
     if (!result_.which.empty()) share_closed(gaps, unnamed, options_.seed, result_.shrinkage);
-  }
-
-  /// What a gap keeps beside names may have gone into their sizes, and into the parameters with them.
-  void doubt_shapes() {
-    for (const AxisOutcome& outcome : outcomes_) {
-      const auto by_shape = doubt_sizes(outcome.diagnosis, result_.where, result_.which);
-      for (ParameterResult& parameter :
-           parameters_of(outcome.diagnosis.fit, by_shape, error_by_unnamed(outcome)))
-        result_.parameters.push_back(std::move(parameter));
-    }
   }
 
   /// The most that a balance keeps of its gap in which the effect acts; of a sensor's, any.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/gap/gap_watch_finding.hpp"
+#include "sim_host/diagnose/fit/shape_freedom.hpp"
 #include "sim_host/diagnose/outcome/shape_doubt.hpp"
 #include "sim_host/diagnose/outcome/verdict.hpp"
 #include "tests/unit/driven_axis.hpp"
@@ -137,8 +138,7 @@ struct ErrorsByShape : testing::Test {
   }
 
   [[nodiscard]] host::ParameterResult told(std::size_t index, double of_size, double of_noise) const {
-    const std::vector<host::ShapeError> by_shape{{kEffect, of_size, of_noise}};
-    return host::parameters_of(fit, by_shape)[index];
+    return host::parameters_of(fit, {.of_effect = {{kEffect, of_size, of_noise}}})[index];
   }
 };
 
@@ -177,6 +177,60 @@ TEST_F(ErrorsByShape, CountAsManyNoisesAsAreLeftUpToADatasheets) {
   EXPECT_NEAR(worst.standard_error, std::hypot(plain.standard_error, gap::kDatasheetSpread * plain.refit),
               1.0e-9 * plain.refit);
   EXPECT_FALSE(worst.is_identifiable);
+}
+
+/// A drag that grows with another power of the speed than the square, `bend` of it at twice the speed of its
+/// size, and the model of it that has the square.
+struct Drag {
+  static constexpr Eigen::Index kViscosity = 1;
+  gap::AppliedEffect bent;
+  RecordingSignals signals;
+  host::GapModel model;
+  host::AxisFit fit;
+
+  explicit Drag(double bend)
+      : bent(bent_by(bend)),
+        signals(record({.effects = {bent}, .duration_s = 4.0})),
+        model(gap_model(datasheet(0.0), signals)),
+        fit(host::Axis::kSpindle, signals, model) {
+    gap::AppliedEffect plain = bent;
+    plain.form.parts = 1;
+    fit.change_model().effects.push_back(plain);
+    fit.settle();
+  }
+
+  static gap::AppliedEffect bent_by(double bend) {
+    gap::AppliedEffect drag = effect(Effect::kSpindleWindage, 4.0e-8);
+    drag.form.parts = 2;
+    drag.coefficient[1] = bend * drag.coefficient[0];
+    return drag;
+  }
+  /// Of the viscous friction, in standard errors by noise.
+  [[nodiscard]] double deviation() const {
+    return std::fabs(fit.deviation()(kViscosity)) / fit.standard_error()(kViscosity);
+  }
+};
+
+// Viscous friction does what the square does not: 12 to 38 % of it, at 8 to 26 standard errors by noise, of
+// another simulator's drags with powers of 1.7 and 2.3.
+TEST(FreeShapes, AreInTheErrorsOfWhatStandsInForThem) {
+  const Drag drag(-0.2);
+  ASSERT_GT(drag.deviation(), 4.0) << "no test of it";
+  const host::FreeShapeErrors errors = host::error_by_free_shapes(drag.fit);
+  EXPECT_GT(errors.of_parameter(Drag::kViscosity), 0.5 * std::fabs(drag.fit.deviation()(Drag::kViscosity)));
+  ASSERT_EQ(errors.of_effect.size(), 1U);
+  EXPECT_GT(errors.of_effect.front(), 0.0);
+}
+
+// What nothing stands in for is known as well as before.
+TEST(FreeShapes, AreInNoOthers) {
+  const Drag drag(0.0);
+  const host::FreeShapeErrors errors = host::error_by_free_shapes(drag.fit);
+  constexpr Eigen::Index kResistance = 3;
+  EXPECT_LT(errors.of_parameter(kResistance), 0.2 * drag.fit.standard_error()(kResistance));
+  host::AxisFit rigid = drag.fit;
+  rigid.change_model().effects.clear();
+  EXPECT_EQ(host::error_by_free_shapes(rigid).of_parameter.norm(), 0.0) << "no law, no shape";
 }
 
 /// A result with one effect, and with this left of the feed's gap.

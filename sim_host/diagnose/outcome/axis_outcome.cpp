@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/fit/input_news.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/diagnose/fit/nominal_fit.hpp"
@@ -94,6 +95,14 @@ double noise_evidence(const AxisFit& fit) {
   return std::min(kNamedOfNoise * predictable_deviance(fit.innovations()), most);
 }
 
+/// What has no name where an effect acts; what a voltage's shape leaves is no torque, nor the other way
+/// round.
+double unnamed_beside(gap::Effect effect, const AxisOutcome& outcome) {
+  if (gap::is_in_sensor(effect)) return outcome.unnamed_deviance();
+  const auto acted_on = static_cast<gap::Balance>(gap::info_of(effect).group);
+  return outcome.unnamed_deviance_in(outcome.diagnosis.fit.signals().balance_that_shows(acted_on));
+}
+
 /// The least of several causes, where it is worth little more than what has none beside it: what the shape of
 /// the strongest one leaves of another machine. Of 24 right names of a further simulator two were like that,
 /// of 35 wrong ones 16. The parts of a friction, which are one cause, leave as much on real machines.
@@ -109,7 +118,8 @@ std::optional<std::size_t> least_beside_much_left(const AxisOutcome& outcome) {
     if (is_least && is_cause_of_its_own(found, i)) least = i;
   }
   if (!least || !(found[*least].evidence < kLittle * most)) return std::nullopt;
-  if (!(outcome.unnamed_deviance() > kMuchLeft * found[*least].evidence)) return std::nullopt;
+  if (!(unnamed_beside(found[*least].effect.form.effect, outcome) > kMuchLeft * found[*least].evidence))
+    return std::nullopt;
   return least;
 }
 

@@ -87,14 +87,14 @@ bool is_beside(gap::Effect effect, const AxisFit& fit, std::size_t index) {
   return (acted_on == gap::Balance::kArmatureVoltage) == is_electric(fit, index);
 }
 
-/// Standard error by what the model lacks: what wrong sizes take of a value along, and what lies in its own
-/// direction of what is left, as much as in any other.
-double error_by_model(const AxisFit& fit, std::span<const ShapeError> by_shape, const UnnamedError& unnamed,
+/// Standard error by what the model lacks: what other shapes of its laws and wrong sizes take of a value
+/// along, and what lies in its own direction of what is left, as much as in any other.
+double error_by_model(const AxisFit& fit, const ShapeErrors& by_shape, const UnnamedError& unnamed,
                       std::size_t index, double refit) {
   if (is_unseen(fit, index)) return 0.0;
-  double along = 0.0;
+  double along = of_value(fit, by_shape.of_value, index, refit);
   double noises = is_electric(fit, index) ? unnamed.of_voltage : unnamed.of_motion;
-  for (const ShapeError& error : by_shape) {
+  for (const ShapeError& error : by_shape.of_effect) {
     along =
         std::hypot(along, error.of_size * of_value(fit, fit.parameters_along(error.effect), index, refit));
     if (is_beside(error.effect, fit, index)) noises = std::max(noises, error.of_noise);
@@ -125,7 +125,7 @@ std::string advice_for(const AxisFit& fit, std::size_t index, const Named& value
 
 }  // namespace
 
-std::vector<ParameterResult> parameters_of(const AxisFit& fit, std::span<const ShapeError> by_shape,
+std::vector<ParameterResult> parameters_of(const AxisFit& fit, const ShapeErrors& by_shape,
                                            const UnnamedError& unnamed) {
   std::vector<ParameterResult> results;
   const auto all = named(fit);

@@ -1,5 +1,5 @@
 #pragma once
-#include <span>
+#include <Eigen/Core>
 #include <vector>
 
 #include "sim_host/diagnose/fit/axis_fit.hpp"
@@ -14,6 +14,12 @@ struct ShapeError {
   double of_noise;  ///< what its balances keep of their gap, as a multiple of what noise puts sizes off by
 };
 
+/// What shapes put the values of an axis off by.
+struct ShapeErrors {
+  std::vector<ShapeError> of_effect{};
+  Eigen::VectorXd of_value{};  ///< by free shapes, in the units of the parameters' columns; empty: none
+};
+
 /// What has no name, as a multiple of what noise puts values off by: in the balance of motion, and of
 /// voltage.
 struct UnnamedError {
@@ -23,7 +29,7 @@ struct UnnamedError {
 
 /// Refitted parameters of an axis, with what the recording tells about each. What shapes and what has no name
 /// put values off by is in the standard errors, up to how far a datasheet is.
-std::vector<ParameterResult> parameters_of(const AxisFit& fit, std::span<const ShapeError> by_shape = {},
+std::vector<ParameterResult> parameters_of(const AxisFit& fit, const ShapeErrors& by_shape = {},
                                            const UnnamedError& unnamed = {});
 
 /// How far noise may put refitted values off, as one standard deviation for all of an axis, relative: the

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
-#include "lib/gap/column_set.hpp"
 #include "lib/gap/effect_catalogue.hpp"
+#include "sim_host/diagnose/fit/shape_freedom.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
 
 namespace morepro::host {
@@ -48,6 +50,25 @@ void doubt_weak_name(const AxisDiagnosis& diagnosis, const Finding& finding, Eff
     named.confidence = std::min(named.confidence, kSeldomThere);
 }
 
+/// What has no name on an axis: how many times farther than noise it may have put values. A deviance is the
+/// square of a distance in standard errors.
+UnnamedError error_by_unnamed(const AxisOutcome& outcome) {
+  const bool is_feed = outcome.diagnosis.fit.axis() == Axis::kFeed;
+  const auto motion = is_feed ? gap::Balance::kFeedForce : gap::Balance::kSpindleTorque;
+  return {.of_motion = std::sqrt(outcome.unnamed_deviance_in(motion)),
+          .of_voltage = std::sqrt(outcome.unnamed_deviance_in(gap::Balance::kArmatureVoltage))};
+}
+
+/// Joins what shapes put sizes off by to their standard errors.
+void join(const FreeShapeErrors& free, const AxisFit& fit, std::span<EffectResult> which) {
+  const auto& effects = fit.model().effects;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const auto named = std::ranges::find(which, effects[i].form.effect, &EffectResult::effect);
+    if (named == which.end()) continue;
+    named->standard_error = std::hypot(named->standard_error, free.of_effect[i] * named->magnitude);
+  }
+}
+
 }  // namespace
 
 bool acts_in(const RecordingSignals& signals, const BalanceResult& balance, gap::Effect effect) {
@@ -73,12 +94,16 @@ std::vector<ShapeError> doubt_sizes(const AxisDiagnosis& diagnosis, std::span<co
   return by_shape;
 }
 
-// A deviance is the square of a distance in standard errors.
-UnnamedError error_by_unnamed(const AxisOutcome& outcome) {
-  const bool is_feed = outcome.diagnosis.fit.axis() == Axis::kFeed;
-  const auto motion = is_feed ? gap::Balance::kFeedForce : gap::Balance::kSpindleTorque;
-  return {.of_motion = std::sqrt(outcome.unnamed_deviance_in(motion)),
-          .of_voltage = std::sqrt(outcome.unnamed_deviance_in(gap::Balance::kArmatureVoltage))};
+void doubt_shapes(std::span<const AxisOutcome> outcomes, DiagnosisResult& result) {
+  for (const AxisOutcome& outcome : outcomes) {
+    const AxisFit& fit = outcome.diagnosis.fit;
+    const FreeShapeErrors free = error_by_free_shapes(fit);
+    const ShapeErrors by_shape{.of_effect = doubt_sizes(outcome.diagnosis, result.where, result.which),
+                               .of_value = free.of_parameter};
+    join(free, fit, result.which);
+    for (ParameterResult& parameter : parameters_of(fit, by_shape, error_by_unnamed(outcome)))
+      result.parameters.push_back(std::move(parameter));
+  }
 }
 
 }  // namespace morepro::host

@@ -19,7 +19,8 @@ bool acts_in(const RecordingSignals& signals, const BalanceResult& balance, gap:
 std::vector<ShapeError> doubt_sizes(const AxisDiagnosis& diagnosis, std::span<const BalanceResult> where,
                                     std::span<EffectResult> which);
 
-/// What has no name on an axis: how many times farther than noise it may have put values.
-UnnamedError error_by_unnamed(const AxisOutcome& outcome);
+/// Does so for all axes, and fills in the parameters: what a gap keeps beside names may have gone into their
+/// sizes, and into the parameters with them.
+void doubt_shapes(std::span<const AxisOutcome> outcomes, DiagnosisResult& result);
 
 }  // namespace morepro::host

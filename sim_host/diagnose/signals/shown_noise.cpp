@@ -13,7 +13,7 @@ namespace morepro::host {
 namespace {
 
 constexpr std::size_t kBlockRows = 256;
-constexpr std::size_t kFewestBlocks = 8;
+constexpr std::size_t kFewestToTell = 8;
 
 std::vector<double> differences_of(std::span<const float> column, std::size_t times) {
   std::vector<double> values(column.begin(), column.end());
@@ -56,7 +56,7 @@ double usual_product_at(std::size_t lag, std::span<const double> values) {
   for (std::size_t first = 0; first + kBlockRows <= values.size(); first += kBlockRows)
     if (const double product = product_at(lag, values.subspan(first, kBlockRows)); std::isfinite(product))
       products.push_back(product);
-  return products.size() < kFewestBlocks ? std::nan("") : median_of(products);
+  return products.size() < kFewestToTell ? std::nan("") : median_of(products);
 }
 
 }  // namespace
@@ -78,8 +78,17 @@ double white_noise_of(std::span<const float> column, std::size_t differences) {
   return variance > 0.0 && most - least <= kMostOfWave * variance ? std::sqrt(variance) : 0.0;
 }
 
-std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, const Sensors& sensors) {
+std::optional<ShownNoise> shown_noise(Channel channel, double deviation, const Sensors& sensors) {
   constexpr double kNoisier = 1.5;
+  const SensorNoise& stated = sensors[channel];
+  if (!(stated.variance() > 0.0)) return std::nullopt;
+  const double ratio = deviation / std::sqrt(stated.variance());
+  if (ratio < kNoisier) return std::nullopt;
+  const double noise = std::sqrt(deviation * deviation - stated.lsb * stated.lsb / 12.0);
+  return ShownNoise{.channel = channel, .noise = noise, .ratio = ratio};
+}
+
+std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, const Sensors& sensors) {
   struct Watched {
     Channel channel;
     std::size_t differences;
@@ -89,13 +98,9 @@ std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, con
   std::vector<ShownNoise> noisier;
   if (signals.is_thinned) return noisier;
   for (const auto& [channel, differences] : kWatched) {
-    const SensorNoise& stated = sensors[channel];
-    if (!signals.has(channel) || !(stated.variance() > 0.0)) continue;
-    const double shown = white_noise_of(signals.value[index_of(channel)], differences);
-    const double ratio = shown / std::sqrt(stated.variance());
-    if (ratio < kNoisier) continue;
-    const double noise = std::sqrt(shown * shown - stated.lsb * stated.lsb / 12.0);
-    noisier.push_back({.channel = channel, .noise = noise, .ratio = ratio});
+    if (!signals.has(channel)) continue;
+    const double deviation = white_noise_of(signals.value[index_of(channel)], differences);
+    if (const auto shown = shown_noise(channel, deviation, sensors)) noisier.push_back(*shown);
   }
   return noisier;
 }

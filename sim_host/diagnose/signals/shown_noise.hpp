@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@ struct ShownNoise {
 /// or something else that is as fast. What lasts, random forces on a mass among it, makes it smaller.
 /// `differences`: 1, or 2 of a position.
 double white_noise_of(std::span<const float> column, std::size_t differences);
+
+/// What a sensor's noise is where it is half as large again as `sensors` says and more; `deviation`: a
+/// standard deviation that the sensor shows, rounding included.
+std::optional<ShownNoise> shown_noise(Channel channel, double deviation, const Sensors& sensors);
 
 /// Speeds and a position that are noisier than `sensors` says by half and more. Not the current, which
 /// answers the voltage of each row within the row where the winding is fast; nor what was thinned.
