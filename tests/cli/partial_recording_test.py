@@ -51,6 +51,13 @@ class PartialRecording(Diagnose):
         self.assertIn("contact_temperature_dependence", first["alias_set"])
         self.assertLess(first["confidence"], 0.6)
 
+    def test_a_chip_load_that_nobody_has_recorded_is_said(self):
+        self.simulate(duration=2)
+        self.keep_columns(*SPINDLE, "armature_current_a", "contact", "tool_temperature_degc")
+        done = self.must_do("diagnose", "part.csv", "--bootstrap", 0, "--json", "part.json")
+        self.assertIn("chip_load_mm is not recorded: the machine file's is taken", done.stderr)
+        self.assertNotIn("contact_chip_load_dependence", self.names(json.loads((self.folder / "part.json").read_text())))
+
     def test_a_spindle_without_its_voltage_is_driven_by_its_current(self):
         self.simulate("--effect", "tool_wear_ramp=0.02", "--datasheet-error", 0.1, "--machine-out", "wrong.toml")
         self.keep_columns(*DRIVE)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -145,9 +146,43 @@ TEST(LeftOfShapes, IsNoSecondCause) {
                                .duration_s = 4.0,
                                .rate_hz = 2500.0,
                                .seed = 13});
-  const auto outcome = outcome_of(host::Axis::kSpindle, signals);
+  host::AxisOutcome outcome = outcome_of(host::Axis::kSpindle, signals);
+  outcome.leftover.torque_share = 1.0;
   EXPECT_EQ(names_beside(0.2, outcome), 2U);
   EXPECT_EQ(names_beside(0.5, outcome), 1U);
+}
+
+// A drop at the brushes has its own shape on each motor. What the law leaves of it is a voltage, and had
+// taken a load that depends on the speed its name, which the torque's balance showed at four times its noise.
+TEST(LeftOfShapes, OfAVoltageIsNoTorque) {
+  const auto signals = record(
+      {.effects = {effect(Effect::kBrushVoltageDrop, 1.0), effect(Effect::kSpindleCoulombFriction, 0.003)},
+       .duration_s = 4.0});
+  host::AxisOutcome outcome = outcome_of(host::Axis::kSpindle, signals);
+  ASSERT_EQ(outcome.diagnosis.found.size(), 2U);
+  ASSERT_EQ(outcome.diagnosis.found.back().effect.form.effect, Effect::kSpindleCoulombFriction);
+  outcome.leftover.torque_share = 0.0;
+  EXPECT_EQ(names_beside(0.5, outcome), 2U);
+  outcome.leftover.torque_share = 1.0;
+  EXPECT_EQ(names_beside(0.5, outcome), 1U);
+}
+
+/// A finding as `needed` looks at it.
+host::Finding finding_of(Effect effect, std::uint8_t parts) {
+  return {.effect = {.form = {.effect = effect, .parts = parts}, .coefficient = {}}};
+}
+
+// A spring that rests elsewhere is one with a constant force: an offset beside it was -0.01 +- 82 N.
+TEST(OffsetBesideADirection, StaysUnlessASpringContainsIt) {
+  const auto signals = record({.duration_s = 0.2});
+  const host::AxisFit fit(host::Axis::kFeed, signals, gap_model(datasheet(0.0), signals));
+  constexpr double kUsual = 100.0;
+  host::AxisDiagnosis diagnosis{.fit = fit, .nominal = fit};
+  diagnosis.found = {finding_of(Effect::kFeedAsymmetricFriction, 1), finding_of(Effect::kFeedSpring, 1)};
+  const host::Finding offset = finding_of(Effect::kFeedForceOffset, 1);
+  EXPECT_LT(diagnosis.needed(offset, kUsual), 0.0);
+  diagnosis.found.back() = finding_of(Effect::kFeedSpring, 2);
+  EXPECT_GT(diagnosis.needed(offset, kUsual), 0.0);
 }
 
 TEST(LeftOfShapes, LeavesThePartsOfAFriction) {

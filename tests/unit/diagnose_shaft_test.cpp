@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -54,21 +55,33 @@ TEST(LightlyDampedShaft, IsFoundBetweenTheFrequenciesThatAreTried) {
 
 // In a production nothing but the cut makes a shaft swing, at its far end. The motor's end, which turns
 // evenly, shows nothing of it: what the cut does there passed for random forces, "no_gap" in seven of seven
-// of another simulator's.
+// of another simulator's. The third one seemed to set in with the first cut, which it had lost then:
+// "unexplained".
 TEST(ShaftOfAProduction, IsSeenByWhatTheCutDoesAtItsFarEnd) {
-  for (const auto& [frequency_hz, ratio] : {std::pair{45.0F, 0.6}, std::pair{100.0F, 0.4}}) {
-    const gap::AppliedEffect shaft{
-        .form = {.effect = Effect::kShaftCompliance, .kind = 0, .parts = 2, .shape = frequency_hz},
-        .coefficient = {ratio, 1.0 + ratio}};
-    const auto result =
-        diagnosed(record({.effects = {shaft}, .duration_s = 6.0, .profile = host::ProfileKind::kProduction}),
-                  datasheet(0.0));
-    EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result) << " at " << frequency_hz;
-    ASSERT_EQ(result.which.size(), 1U) << said(result) << " at " << frequency_hz;
-    EXPECT_EQ(result.which.front().effect, Effect::kShaftCompliance);
+  struct Case {
+    std::uint8_t damping;
+    float frequency_hz;
+    double ratio;
+    double noise_rad_s;
+  };
+  for (const Case& one : {Case{0, 45.0F, 0.6, 1.0}, Case{0, 100.0F, 0.4, 1.0}, Case{6, 150.0F, 0.6, 0.1}}) {
+    const gap::AppliedEffect shaft{.form = {.effect = Effect::kShaftCompliance,
+                                            .kind = one.damping,
+                                            .parts = 2,
+                                            .shape = one.frequency_hz},
+                                   .coefficient = {one.ratio, 1.0 + one.ratio}};
+    SimulatedRun run{.effects = {shaft}, .duration_s = 6.0, .profile = host::ProfileKind::kProduction};
+    run.configuration.sensors[Channel::kSpindleSpeed].noise = one.noise_rad_s;
+    MachineDescription sheet = datasheet(0.0);
+    sheet.configuration.sensors = run.configuration.sensors;
+    const auto result = diagnosed(record(run), sheet);
+    EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result) << " at " << one.frequency_hz;
+    ASSERT_EQ(result.which.size(), 1U) << said(result) << " at " << one.frequency_hz;
+    const auto& found = result.which.front();
+    EXPECT_EQ(found.effect, Effect::kShaftCompliance);
     const double stiffness = gap::size_of(shaft, gap::EffectScales<double>(reference_machine(), {}));
-    EXPECT_NEAR(result.which.front().magnitude, stiffness,
-                std::max(0.02 * stiffness, 3.0 * result.which.front().standard_error));
+    EXPECT_LT(found.standard_error, 0.1 * stiffness) << one.frequency_hz;
+    EXPECT_NEAR(found.magnitude, stiffness, std::max(0.02 * stiffness, 3.0 * found.standard_error));
   }
 }
 

@@ -217,9 +217,14 @@ TEST(FreeShapes, AreInTheErrorsOfWhatStandsInForThem) {
   const Drag drag(-0.2);
   ASSERT_GT(drag.deviation(), 4.0) << "no test of it";
   const host::FreeShapeErrors errors = host::error_by_free_shapes(drag.fit);
-  EXPECT_GT(errors.of_parameter(Drag::kViscosity), 0.5 * std::fabs(drag.fit.deviation()(Drag::kViscosity)));
+  const double off = std::fabs(drag.fit.deviation()(Drag::kViscosity));
+  EXPECT_GT(errors.of_parameter(Drag::kViscosity), 0.5 * off);
+  EXPECT_LT(errors.of_parameter(Drag::kViscosity), 5.0 * off);
   ASSERT_EQ(errors.of_effect.size(), 1U);
-  EXPECT_GT(errors.of_effect.front(), 0.0);
+  const double size_off =
+      std::fabs(drag.fit.model().effects.front().coefficient[0] / drag.bent.coefficient[0] - 1.0);
+  EXPECT_GT(errors.of_effect.front(), 0.3 * size_off);
+  EXPECT_LT(errors.of_effect.front(), 0.5);
 }
 
 // What nothing stands in for is known as well as before.
@@ -231,6 +236,31 @@ TEST(FreeShapes, AreInNoOthers) {
   host::AxisFit rigid = drag.fit;
   rigid.change_model().effects.clear();
   EXPECT_EQ(host::error_by_free_shapes(rigid).of_parameter.norm(), 0.0) << "no law, no shape";
+}
+
+// An amplitude does not depend on its phase.
+TEST(FreeShapes, TellNothingOfASine) {
+  const RecordingSignals signals = record({.effects = {effect(Effect::kFeedCoulombFriction, 8.0)}});
+  host::AxisFit fit(host::Axis::kFeed, signals, gap_model(datasheet(0.0), signals));
+  fit.change_model().effects = {
+      {.form = {.effect = Effect::kFeedScrewPeriodic, .parts = 2}, .coefficient = {1.0e-6, 3.0}},
+      effect(Effect::kFeedCoulombFriction, 8.0)};
+  const host::FreeShapeErrors errors = host::error_by_free_shapes(fit);
+  ASSERT_EQ(errors.of_effect.size(), 2U);
+  EXPECT_EQ(errors.of_effect.front(), 0.0);
+  EXPECT_GT(errors.of_effect.back(), 0.0);
+  EXPECT_LT(errors.of_effect.back(), 0.1);
+}
+
+TEST_F(ErrorsByShape, HaveWhatFreeShapesMove) {
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(4);
+  moved(static_cast<Eigen::Index>(kViscosity)) = 0.2;
+  const host::ParameterResult plain = told(kViscosity, 0.0, 0.0);
+  const host::ParameterResult freed = host::parameters_of(fit, {.of_value = moved})[kViscosity];
+  EXPECT_NEAR(freed.standard_error, std::hypot(plain.standard_error, 0.2 * plain.refit),
+              1.0e-9 * plain.refit);
+  EXPECT_FALSE(freed.is_identifiable);
+  EXPECT_EQ(freed.reason, "another shape of a law in the model would change it");
 }
 
 /// A result with one effect, and with this left of the feed's gap.

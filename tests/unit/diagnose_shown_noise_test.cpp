@@ -116,6 +116,15 @@ TEST(NoisierThanStated, IsSeenBehindAMotionThatIsAsFast) {
   const auto result = host::diagnose(signals, sheet, options, found);
   EXPECT_EQ(result.verdict, host::Verdict::kParameterError) << said(result);
   EXPECT_EQ(said_of(result, "times as noisy"), 2);
+  EXPECT_NEAR(found.configuration.sensors[Channel::kFeedPosition].noise, 1.0e-6, 2.0 * kChance * 1.0e-6);
+}
+
+// Random forces are new in every row, too, and no sensor's.
+TEST(NoisierThanStated, IsNoSensorOfAMachineThatShakes) {
+  for (const double process_noise : {1.0, 10.0}) {
+    const auto signals = record({.duration_s = 20.0, .rate_hz = 500.0, .process_noise = process_noise});
+    EXPECT_EQ(said_of(diagnosed(signals, datasheet(0.1)), "times as noisy"), 0) << process_noise;
+  }
 }
 
 TEST(NoisierThanStated, LeavesAFrictionItsName) {

@@ -9,6 +9,7 @@
 
 #include "lib/gap/dry_friction.hpp"
 #include "lib/gap/effect_form.hpp"
+#include "lib/gap/effect_laws.hpp"
 #include "sim_host/diagnose/fit/linear_fit.hpp"
 #include "sim_host/diagnose/fit/size_columns.hpp"
 
@@ -17,20 +18,44 @@ namespace {
 
 using gap::Effect;
 
-// Relative: an exponent of 1.7 or 2.3 for a square bends a law by that much at the speed of its size.
+// Relative, where a law's cause is largest: an exponent of 1.7 or 2.3 for a square bends it by that much at
+// twice the speed of its size.
 constexpr double kUsualFreedom = 0.3;
-constexpr double kLittle = 0.02;  // change of a shape that a linearisation is good for
-// A part that has three times the range gives a curve a longer tail, as those that fall by a power have.
+constexpr double kLittle = 0.02;  // change of a range that a linearisation is good for
+// A part that has three times the range gives a friction a longer tail, as those that approach their end by a
+// power have. So far away the difference is taken as it is.
 constexpr double kOfTail = 2.0;
 
 /// Is there a range that another machine has another one of? Periods are whole numbers, pitches are standard,
-/// a resonance is known to a hundredth of what it would take here.
+/// a width that is the size is no freedom, and a resonance is known to a hundredth of what it would take.
 bool has_range(const gap::EffectForm& form) {
-  return form.shape > 0.0F && !is_pure_shape(form) && form.effect != Effect::kSpindleCogging &&
+  return form.shape > 0.0F && !gap::size_is_shape(form.effect) && form.effect != Effect::kSpindleCogging &&
          form.effect != Effect::kFeedScrewPeriodic && form.effect != Effect::kShaftCompliance;
 }
 
 bool may_bend(const gap::EffectForm& form) { return gap::bends(form.effect) && form.parts == 1; }
+
+/// Is the size that is stated its first coefficient? Sines have an amplitude, a play its width, a shaft a
+/// stiffness.
+bool has_size_in_front(const gap::EffectForm& form) {
+  const bool is_plain = form.parts == 1 || gap::may_be_refined(form.effect);
+  return is_plain && form.effect != Effect::kShaftCompliance && form.effect != Effect::kFeedBacklash;
+}
+
+/// By how much a law's bend bends it where its cause is largest; at least one.
+double largest_bend(const gap::EffectForm& form, const AxisFit& fit) {
+  const RecordingSignals& signals = fit.signals();
+  gap::EffectSignals<double> s;
+  s.speed_rad_s = signals.largest(Channel::kSpindleSpeed);
+  s.current_a = signals.largest(Channel::kArmatureCurrent);
+  s.feed_speed_m_s = signals.largest(Channel::kFeedSpeed);
+  s.feed_force_n = signals.largest(Channel::kFeedForce);
+  s.chip_load_mm = signals.largest(Channel::kChipLoad);
+  s.tool_degc = signals.largest(Channel::kToolTemperature);
+  s.cutting_time_s = signals.cutting_time_s.empty() ? 0.0 : signals.cutting_time_s.back();
+  const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
+  return std::max(1.0, std::fabs(gap::laws::bend(form, s, scales)));
+}
 
 /// The columns of a fit, and behind them one for each freedom of a shape, as a share of its size.
 class FreeShapes {
@@ -40,9 +65,9 @@ class FreeShapes {
     for (const gap::AppliedEffect& one : fit.model().effects) sizes_ += one.form.parts;
     Eigen::Index first = parameters_;
     for (const gap::AppliedEffect& one : fit.model().effects) {
-      if (may_bend(one.form)) add_bend(one);
+      if (may_bend(one.form)) add_bend(one, largest_bend(one.form, fit));
       if (has_range(one.form)) add_other_range(one, first, kLittle);
-      if (gap::is_dry_friction(one.form)) add_other_range(one, first, kOfTail);
+      if (gap::is_dry_friction(one.form) && !may_bend(one.form)) add_other_range(one, first, kOfTail);
       first += one.form.parts;
     }
   }
@@ -70,9 +95,9 @@ class FreeShapes {
 
   Eigen::Index next() const { return parameters_ + sizes_ + added_; }
 
-  void add_bend(gap::AppliedEffect one) {
+  void add_bend(gap::AppliedEffect one, double most) {
     one.form.parts = 2;
-    free_.push_back({{next() + 1, one.coefficient[0]}});
+    free_.push_back({{next() + 1, one.coefficient[0] / most}});
     all_.push_back(one);
     added_ += 2;
   }
@@ -98,7 +123,8 @@ class FreeShapes {
   std::vector<std::vector<Share>> free_;
 };
 
-/// Of parameters and sizes; empty where no shape is free.
+/// Of parameters and sizes, by one more pass over all that the fit looks at; empty where no shape is free.
+/// How far a value moves is one of the shifts that are possible, and counts as their deviation.
 Eigen::VectorXd errors_of_columns(const AxisFit& fit) {
   const FreeShapes shapes(fit);
   if (shapes.freedoms() == 0) return {};
@@ -137,7 +163,7 @@ FreeShapeErrors error_by_free_shapes(const AxisFit& fit) {
   Eigen::Index column = parameters;
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const double size = is_pure_shape(effects[i].form) ? 1.0 : std::fabs(effects[i].coefficient[0]);
-    if (size > 0.0) errors.of_effect[i] = of_column(column) / size;
+    if (has_size_in_front(effects[i].form) && size > 0.0) errors.of_effect[i] = of_column(column) / size;
     column += effects[i].form.parts;
   }
   return errors;

@@ -11,7 +11,7 @@ namespace morepro::host {
 /// them, and how much less is known then. Zeros where no law has such a freedom.
 struct FreeShapeErrors {
   Eigen::VectorXd of_parameter;   ///< in the units of the parameters' columns
-  std::vector<double> of_effect;  ///< as shares of the sizes
+  std::vector<double> of_effect;  ///< as shares of the sizes; 0 of sines, widths and stiffnesses
 };
 
 FreeShapeErrors error_by_free_shapes(const AxisFit& fit);

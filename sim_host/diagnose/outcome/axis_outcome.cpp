@@ -96,10 +96,11 @@ double noise_evidence(const AxisFit& fit) {
 }
 
 /// What has no name where an effect acts; what a voltage's shape leaves is no torque, nor the other way
-/// round.
-double unnamed_beside(gap::Effect effect, const AxisOutcome& outcome) {
-  if (gap::is_in_sensor(effect)) return outcome.unnamed_deviance();
-  const auto acted_on = static_cast<gap::Balance>(gap::info_of(effect).group);
+/// round. A flux, as the second kind of its laws, is in both.
+double unnamed_beside(const gap::EffectForm& form, const AxisOutcome& outcome) {
+  const auto acted_on = static_cast<gap::Balance>(gap::info_of(form.effect).group);
+  const bool is_flux = acted_on == gap::Balance::kArmatureVoltage && form.kind == 1;
+  if (gap::is_in_sensor(form.effect) || is_flux) return outcome.unnamed_deviance();
   return outcome.unnamed_deviance_in(outcome.diagnosis.fit.signals().balance_that_shows(acted_on));
 }
 
@@ -118,7 +119,7 @@ std::optional<std::size_t> least_beside_much_left(const AxisOutcome& outcome) {
     if (is_least && is_cause_of_its_own(found, i)) least = i;
   }
   if (!least || !(found[*least].evidence < kLittle * most)) return std::nullopt;
-  if (!(unnamed_beside(found[*least].effect.form.effect, outcome) > kMuchLeft * found[*least].evidence))
+  if (!(unnamed_beside(found[*least].effect.form, outcome) > kMuchLeft * found[*least].evidence))
     return std::nullopt;
   return least;
 }

@@ -59,7 +59,8 @@ UnnamedError error_by_unnamed(const AxisOutcome& outcome) {
           .of_voltage = std::sqrt(outcome.unnamed_deviance_in(gap::Balance::kArmatureVoltage))};
 }
 
-/// Joins what shapes put sizes off by to their standard errors.
+/// Joins what other shapes of the laws put sizes off by to their standard errors. By how much a weak name is
+/// doubted was fitted without it.
 void join(const FreeShapeErrors& free, const AxisFit& fit, std::span<EffectResult> which) {
   const auto& effects = fit.model().effects;
   for (std::size_t i = 0; i < effects.size(); ++i) {

@@ -19,8 +19,9 @@ bool acts_in(const RecordingSignals& signals, const BalanceResult& balance, gap:
 std::vector<ShapeError> doubt_sizes(const AxisDiagnosis& diagnosis, std::span<const BalanceResult> where,
                                     std::span<EffectResult> which);
 
-/// Does so for all axes, and fills in the parameters: what a gap keeps beside names may have gone into their
-/// sizes, and into the parameters with them.
+/// Joins to the standard errors of all sizes what their shapes may put them off by, and fills in the
+/// parameters of a result with the same: what a gap keeps beside names may have gone into their sizes, and
+/// into the parameters with them.
 void doubt_shapes(std::span<const AxisOutcome> outcomes, DiagnosisResult& result);
 
 }  // namespace morepro::host

@@ -100,8 +100,13 @@ std::vector<std::string> untested_effects(const RecordingSignals& signals,
     untested.push_back(fmt::format(
         "{} is not recorded: the tool is taken to be in the air, and a cut would pass for a gap or for noise",
         column(Channel::kContact)));
-  if (signals.has_been_in_contact() && !signals.has(Channel::kToolTemperature) &&
-      is_evaluated(gap::Balance::kSpindleTorque))
+  const bool shows_cut = signals.has_been_in_contact() && is_evaluated(gap::Balance::kSpindleTorque);
+  if (shows_cut && !signals.has(Channel::kChipLoad))
+    untested.push_back(fmt::format(
+        "{} is not recorded: the machine file's is taken, another one would pass for a gap, and {} is not "
+        "looked for",
+        column(Channel::kChipLoad), gap::name_of(gap::Effect::kContactChipLoadDependence)));
+  if (shows_cut && !signals.has(Channel::kToolTemperature))
     untested.push_back(fmt::format("{} is not recorded: {} is not looked for",
                                    column(Channel::kToolTemperature),
                                    gap::name_of(gap::Effect::kContactTemperatureDependence)));

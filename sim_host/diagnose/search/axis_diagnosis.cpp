@@ -36,16 +36,12 @@ bool contains_force(const gap::EffectForm& form) {
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
-/// Comes first, and is promised at least `most`, as the best so far: it gets its trial.
-void prefer(Candidate preferred, double most, std::vector<Candidate>& ranked) {
-  const auto is_same = [&](const Candidate& c) { return c.form.effect == preferred.form.effect; };
-  const bool is_best = std::any_of(ranked.begin(), ranked.end(), [&](const Candidate& c) {
-    return is_same(c) && !c.is_lifted && c.evidence >= most;
-  });
-  preferred.is_lifted = !is_best && (preferred.is_lifted || preferred.evidence < most);
-  preferred.evidence = std::max(preferred.evidence, most);
-  std::erase_if(ranked, is_same);
-  ranked.insert(ranked.begin(), std::move(preferred));
+/// The best of others come first.
+void prefer_all(std::vector<Candidate> others, std::vector<Candidate>& ranked) {
+  others.resize(std::min(others.size(), kMostRivals - 1));
+  const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
+  for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred)
+    prefer(std::move(*preferred), most, ranked);
 }
 
 Whitening without_memory(Whitening whitening) {
@@ -205,20 +201,17 @@ class DiagnosisSearch {
     prefer_all(ranked_beside(fit), ranked);
   }
 
-  /// The best of them come first.
-  static void prefer_all(std::vector<Candidate> others, std::vector<Candidate>& ranked) {
-    others.resize(std::min(others.size(), kMostRivals - 1));
-    const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
-    for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred)
-      prefer(std::move(*preferred), most, ranked);
-  }
-
   /// What explains most beside the usual process noise comes first; random forces that it passed for hide it.
   void prefer_what_noise_hides(std::vector<Candidate>& ranked) const {
     AxisFit quiet = fit_;
     quiet.expect_noise(kUsualNoiseShare);
     quiet.set_whitening({});
-    prefer_all(ranked_beside(quiet), ranked);
+    auto hidden = ranked_beside(quiet);
+    for (Candidate& one : hidden) {
+      one.evidence = diagnosis_.least_evidence;  // beside noise that is too little it is another one
+      one.is_lifted = true;
+    }
+    prefer_all(std::move(hidden), ranked);
   }
 
   /// A constant force on an axis that sticks is in no linearisation: the friction holds it, and gets bent by
@@ -369,11 +362,14 @@ void inherit_rivals(const Finding& dropped, Finding& left) {
 }
 
 double AxisDiagnosis::needed(const Finding& finding, double usual) const {
+  const bool is_contained =
+      std::any_of(found.begin(), found.end(), [](const Finding& f) { return contains_force(f.effect.form); });
   for (const Plainer& pair : kPlainer) {
     if (pair.plain != finding.effect.form.effect) continue;
     for (const Finding& other : found)
       if (other.effect.form.effect == pair.fine)
-        return pair.stays ? kAlways : std::min(usual, std::max(kRarely, kLeastShare * other.evidence));
+        return pair.stays && !is_contained ? kAlways
+                                           : std::min(usual, std::max(kRarely, kLeastShare * other.evidence));
   }
   return usual;
 }

@@ -212,4 +212,15 @@ Candidate refined(const AxisFit& axis, const Candidate& candidate) {
   return finest;
 }
 
+void prefer(Candidate preferred, double most, std::vector<Candidate>& ranked) {
+  const auto is_same = [&](const Candidate& c) { return c.form.effect == preferred.form.effect; };
+  const bool is_best = std::any_of(ranked.begin(), ranked.end(), [&](const Candidate& c) {
+    return is_same(c) && !c.is_lifted && c.evidence >= most;
+  });
+  preferred.is_lifted = !is_best && (preferred.is_lifted || preferred.evidence < most);
+  preferred.evidence = std::max(preferred.evidence, most);
+  std::erase_if(ranked, is_same);
+  ranked.insert(ranked.begin(), std::move(preferred));
+}
+
 }  // namespace morepro::host

@@ -32,4 +32,7 @@ void let_set_in(const AxisFit& axis, const GapStatistics& statistics, std::vecto
 /// the recording. The effect is not in the model yet.
 Candidate refined(const AxisFit& axis, const Candidate& candidate);
 
+/// The candidate comes first, and is promised at least `most`, as the best so far: it gets its trial.
+void prefer(Candidate preferred, double most, std::vector<Candidate>& ranked);
+
 }  // namespace morepro::host

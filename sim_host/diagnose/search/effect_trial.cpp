@@ -8,6 +8,7 @@
 #include "lib/gap/dry_friction.hpp"
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
+#include "sim_host/diagnose/search/effect_duel.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -124,7 +125,7 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, const Axi
   Candidate early = candidate;
   early.onset_s = 0.0;
   EffectTrial from_start = tried(fit, early, without, is_astray);
-  return from_start.fit.unlikeliness() < trial.fit.unlikeliness() ? std::move(from_start) : std::move(trial);
+  return cost_of(from_start.fit) < cost_of(trial.fit) ? std::move(from_start) : std::move(trial);
 }
 
 bool is_bent(const AxisFit& fit) {

@@ -15,7 +15,8 @@ struct EffectTrial {
 
 /// Puts a candidate into the model of `fit`, searches for its shape and onset and refits everything: first to
 /// a part of the recording, and to all of it unless that has shown it to be hopeless beside `without`, the
-/// model as it is. `is_astray`: that is a bad beginning; then from the datasheet, too.
+/// model as it is. `is_astray`: that is a bad beginning; then from the datasheet, too. A shaft that seems to
+/// set in late is tried from the start as well.
 EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, const AxisFit::Rival& without,
                        bool is_astray);
 
