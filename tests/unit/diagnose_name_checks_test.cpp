@@ -169,7 +169,7 @@ TEST(LeftOfShapes, OfAVoltageIsNoTorque) {
 
 /// A finding as `needed` looks at it.
 host::Finding finding_of(Effect effect, std::uint8_t parts) {
-  return {.effect = {.form = {.effect = effect, .parts = parts}, .coefficient = {}}};
+  return {.effect = {.form = {.effect = effect, .parts = parts}, .coefficient = {}}, .rivals = {}};
 }
 
 // A spring that rests elsewhere is one with a constant force: an offset beside it was -0.01 +- 82 N.

@@ -24,7 +24,7 @@ constexpr const char* kOneFactor =
     "torque, friction and inertia have one common factor until a known contact load fixes it";
 constexpr const char* kNeedsVoltage = "it needs the armature voltage, which is not recorded";
 constexpr const char* kBent = "what the model leaves of the gap may have bent it";
-constexpr const char* kOtherShape = "another shape of a law in the model would change it";
+constexpr const char* kOfAnotherShape = "another shape of a law in the model would change it";
 constexpr double kOneMotor = 0.05;  // by which the two constants of a motor may differ
 
 struct Named {
@@ -135,7 +135,7 @@ std::vector<ParameterResult> parameters_of(const AxisFit& fit, const ShapeErrors
     const double most = kTold * std::fabs(all[i].refit);
     const std::string reason = is_unseen(fit, i) ? kNeedsVoltage
                                : error < most    ? assumption_of(fit, i)
-                               : of_value(fit, by_shape.of_value, i, all[i].refit) > most ? kOtherShape
+                               : of_value(fit, by_shape.of_value, i, all[i].refit) > most ? kOfAnotherShape
                                : by_noise < most                                          ? kBent
                                                  : advice_for(fit, i, all[i]);
     results.push_back({all[i].name, all[i].datasheet, all[i].refit, error, error < most, reason});
