@@ -204,6 +204,10 @@ class Diagnosis {
     return why_undetermined(signals_, !outcomes_.empty());
   }
 
+  [[nodiscard]] bool has_found() const {
+    return std::ranges::any_of(outcomes_, [](const AxisOutcome& o) { return !o.diagnosis.found.empty(); });
+  }
+
   // By a fault of another sensor, or in another kind of its law.
   [[nodiscard]] bool is_named(Effect effect) const {
     return std::ranges::count(result_.which, effect, &EffectResult::effect) > 0;
@@ -218,12 +222,14 @@ class Diagnosis {
     const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
     const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);
     const bool is_left = has_say && !is_unexplained() &&
-                         (is_kept || (result_.verdict == Verdict::kEffect &&
-                                      is_hardly_closed(result_.shrinkage, result_.where)));
-    is_judged_by_share_ = is_closed || is_left;
+                         (is_kept || (names_effects() && is_hardly_closed(result_.shrinkage, result_.where)));
+    // A clock that shakes, or coarse steps, are in every balance, so that these do not say how much is left.
+    const bool is_vain =
+        names_effects() && has_found() && !faults_.empty() && !has_play && closes_nothing(result_.shrinkage);
+    is_judged_by_share_ = is_closed || is_left || is_vain;
     if (!is_judged_by_share_) return;
     result_.verdict = is_closed ? Verdict::kEffect : Verdict::kUnexplained;
-    if (is_left) result_.unexplained_share = 1.0 - result_.shrinkage.share_closed;
+    if (!is_closed) result_.unexplained_share = 1.0 - result_.shrinkage.share_closed;
     rank();
   }
 

@@ -80,6 +80,14 @@ TEST(HardlyClosed, IsAGapOfWhichAFreeRunIsNoBetter) {
   EXPECT_FALSE(is_hardly_closed(elsewhere, shown));
 }
 
+// Random forces that act only while an axis moves were a shaking clock, a Stribeck curve and a delay, at 97
+// and 98 %, with nothing closed.
+TEST(NothingClosed, IsNoneOfItInRowsNorInAFreeRun) {
+  EXPECT_TRUE(closes_nothing(run_free(shrinkage(0.0, 1.0, 1.0), 1.4, 1.42)));
+  EXPECT_FALSE(closes_nothing(run_free(shrinkage(0.0, 1.0, 1.0), 2.7, 1.4)));
+  EXPECT_FALSE(closes_nothing(run_free(shrinkage(0.5, 1.0, 1.0), 1.4, 1.42)));
+}
+
 TEST(HardlyClosed, IsNoGapThatIsMostlyGone) {
   EXPECT_FALSE(is_hardly_closed(shrinkage(0.83, 1.12, 1.07), std::array{balance(1.32)}));
 }

@@ -84,5 +84,21 @@ TEST(LostModel, IsNotOfAGuideThatIsTheSameEverywhere) {
   EXPECT_EQ(result.verdict, host::Verdict::kParameterError) << said(result);
 }
 
+// Random forces that act only while an axis moves were a clock that shakes, a Stribeck curve and a delay, at
+// 97 and 98 %, with nothing of the gap closed.
+TEST(NothingClosed, IsNoEffectBesideAClockThatShakes) {
+  const auto moves = [](double time_s) { return std::fmod(time_s, 20.0) < 10.0; };
+  DrivenAxis axis{.rate_hz = 500.0, .rows = 30000, .random_force_n = 20.0};
+  axis.random_share = [=](double time_s) { return moves(time_s) ? 1.0 : 0.0; };
+  axis.wanted_m = [=](double time_s) {
+    return moves(time_s) ? 0.02 * std::sin(4.4 * time_s) + 0.004 * std::sin(33.3 * time_s) : 0.0;
+  };
+  MachineDescription sheet = datasheet(0.05);
+  sheet.has_spindle = false;
+  sheet.configuration.sensors[Channel::kFeedPosition].noise = axis.position_noise_m;
+  const auto result = diagnosed(record(axis), sheet);
+  EXPECT_NE(result.verdict, host::Verdict::kEffect) << said(result);
+}
+
 }  // namespace
 }  // namespace morepro::diagnose_test

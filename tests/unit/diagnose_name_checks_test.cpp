@@ -156,7 +156,7 @@ TEST(LeftOfShapes, IsNoSecondCause) {
 // taken a load that depends on the speed its name, which the torque's balance showed at four times its noise.
 TEST(LeftOfShapes, OfAVoltageIsNoTorque) {
   const auto signals = record(
-      {.effects = {effect(Effect::kBrushVoltageDrop, 1.0), effect(Effect::kSpindleCoulombFriction, 0.003)},
+      {.effects = {effect(Effect::kBrushVoltageDrop, 0.05), effect(Effect::kSpindleCoulombFriction, 0.02)},
        .duration_s = 4.0});
   host::AxisOutcome outcome = outcome_of(host::Axis::kSpindle, signals);
   ASSERT_EQ(outcome.diagnosis.found.size(), 2U);

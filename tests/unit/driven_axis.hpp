@@ -50,6 +50,8 @@ struct DrivenAxis {
   /// Against the motion, in N, at a speed in m/s.
   std::function<double(double)> brake_at = [](double) { return 0.0; };
   double random_force_n = 0.0;  ///< standard deviation, another one in each row
+  /// Share of it at a time in s.
+  std::function<double(double)> random_share = [](double) { return 1.0; };
   SwingingPart part{};
   std::function<double(double)> wanted_m = shaken_m;
   MonitorConfiguration configuration = reference_configuration();
@@ -80,7 +82,7 @@ inline RecordingSignals record(const DrivenAxis& axis) {
     const double step_m = axis.position_step_m;
     show(signals, Channel::kFeedPosition, step_m > 0.0 ? step_m * std::round(seen_m / step_m) : seen_m);
     const double share_of_mass = axis.mass_over_time(signals.time_s(row));
-    const double random_n = axis.random_force_n * normal(random);
+    const double random_n = axis.random_force_n * axis.random_share(signals.time_s(row)) * normal(random);
     for (int step = 0; step < kSteps; ++step) {
       const double pull_m_s2 =
           turn_rate * (turn_rate * stretch_m + 2.0 * axis.part.damping_ratio * (speed_m_s - part_speed_m_s));

@@ -137,6 +137,14 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
   return runs_as_far(shrinkage.free_run_nrmse) || std::any_of(where.begin(), where.end(), shows_much);
 }
 
+bool closes_nothing(const Shrinkage& shrinkage) {
+  constexpr double kNothing = 0.05;
+  const auto is_nearer = [](const std::optional<ModelComparison>& models) {
+    return models && models->with_effect.value < (1.0 - kNothing) * models->refit.value;
+  };
+  return shrinkage.interval90[1] < kNothing && std::ranges::none_of(shrinkage.free_run_nrmse, is_nearer);
+}
+
 bool is_lost(const std::optional<ModelComparison>& free_run) {
   constexpr double kBeyondRandomForces = 4.0;
   constexpr double kBeyondDatasheet = 1.25;

@@ -40,6 +40,10 @@ inline bool is_nearly_closed(const Shrinkage& shrinkage) { return shrinkage.inte
 /// three slides were said to have whose mass depends on the place.
 bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult> where);
 
+/// Is surely nothing of the gap closed, and no model that runs free nearer with the effects? Names that a
+/// fault of the samples seems to excuse are none then.
+bool closes_nothing(const Shrinkage& shrinkage);
+
 /// Share of its gap that a balance keeps with the effects; 0 where it is within `visible` times the noise.
 double share_kept(const BalanceResult& balance, double visible = 1.3);
 
