@@ -144,9 +144,7 @@ class DiagnosisSearch {
     if (is_astray_ || !diagnosis_.found.empty()) return false;
     if (!leaves_noise(fit_))
       prefer_by_datasheet(ranked);
-    else if (needs_noise(fit_))
-      prefer_what_noise_hides(ranked);
-    else
+    else if (!needs_noise(fit_) || !prefer_shaft_that_noise_hides(ranked))
       return false;
     is_astray_ = true;
     return add_best_of(std::move(ranked));
@@ -201,17 +199,20 @@ class DiagnosisSearch {
     prefer_all(ranked_beside(fit), ranked);
   }
 
-  /// What explains most beside the usual process noise comes first; random forces that it passed for hide it.
-  void prefer_what_noise_hides(std::vector<Candidate>& ranked) const {
+  /// A shaft that explains most beside the usual process noise gets its trial; random forces that its
+  /// swinging passed for hide it. Was there any? What else does so, a clock that shakes among it, is left to
+  /// noise.
+  bool prefer_shaft_that_noise_hides(std::vector<Candidate>& ranked) const {
+    if (fit_.axis() != Axis::kSpindle) return false;
     AxisFit quiet = fit_;
     quiet.expect_noise(kUsualNoiseShare);
     quiet.set_whitening({});
     auto hidden = ranked_beside(quiet);
-    for (Candidate& one : hidden) {
-      one.evidence = diagnosis_.least_evidence;  // beside noise that is too little it is another one
-      one.is_lifted = true;
-    }
-    prefer_all(std::move(hidden), ranked);
+    if (hidden.empty() || hidden.front().form.effect != gap::Effect::kShaftCompliance) return false;
+    hidden.front().evidence = diagnosis_.least_evidence;  // beside noise that is too little it is another one
+    hidden.front().is_lifted = true;
+    prefer(std::move(hidden.front()), ranked.empty() ? 0.0 : ranked.front().evidence, ranked);
+    return true;
   }
 
   /// A constant force on an axis that sticks is in no linearisation: the friction holds it, and gets bent by
