@@ -42,21 +42,6 @@ bool has_size_in_front(const gap::EffectForm& form) {
   return is_plain && form.effect != Effect::kShaftCompliance && form.effect != Effect::kFeedBacklash;
 }
 
-/// By how much a law's bend bends it where its cause is largest; at least one.
-double largest_bend(const gap::EffectForm& form, const AxisFit& fit) {
-  const RecordingSignals& signals = fit.signals();
-  gap::EffectSignals<double> s;
-  s.speed_rad_s = signals.largest(Channel::kSpindleSpeed);
-  s.current_a = signals.largest(Channel::kArmatureCurrent);
-  s.feed_speed_m_s = signals.largest(Channel::kFeedSpeed);
-  s.feed_force_n = signals.largest(Channel::kFeedForce);
-  s.chip_load_mm = signals.largest(Channel::kChipLoad);
-  s.tool_degc = signals.largest(Channel::kToolTemperature);
-  s.cutting_time_s = signals.cutting_time_s.empty() ? 0.0 : signals.cutting_time_s.back();
-  const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
-  return std::max(1.0, std::fabs(gap::laws::bend(form, s, scales)));
-}
-
 /// The columns of a fit, and behind them one for each freedom of a shape, as a share of its size.
 class FreeShapes {
  public:
@@ -65,7 +50,7 @@ class FreeShapes {
     for (const gap::AppliedEffect& one : fit.model().effects) sizes_ += one.form.parts;
     Eigen::Index first = parameters_;
     for (const gap::AppliedEffect& one : fit.model().effects) {
-      if (may_bend(one.form)) add_bend(one, largest_bend(one.form, fit));
+      if (may_bend(one.form)) add_bend(one, std::max(1.0, std::fabs(largest_bend(one.form, fit))));
       if (has_range(one.form)) add_other_range(one, first, kLittle);
       if (gap::is_dry_friction(one.form) && !may_bend(one.form)) add_other_range(one, first, kOfTail);
       first += one.form.parts;
@@ -151,6 +136,20 @@ Eigen::VectorXd errors_of_columns(const AxisFit& fit) {
 }
 
 }  // namespace
+
+double largest_bend(const gap::EffectForm& form, const AxisFit& fit) {
+  const RecordingSignals& signals = fit.signals();
+  gap::EffectSignals<double> s;
+  s.speed_rad_s = signals.largest(Channel::kSpindleSpeed);
+  s.current_a = signals.largest(Channel::kArmatureCurrent);
+  s.feed_speed_m_s = signals.largest(Channel::kFeedSpeed);
+  s.feed_force_n = signals.largest(Channel::kFeedForce);
+  s.chip_load_mm = signals.largest(Channel::kChipLoad);
+  s.tool_degc = signals.largest(Channel::kToolTemperature);
+  s.cutting_time_s = signals.cutting_time_s.empty() ? 0.0 : signals.cutting_time_s.back();
+  const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
+  return gap::laws::bend(form, s, scales);
+}
 
 FreeShapeErrors error_by_free_shapes(const AxisFit& fit) {
   const auto parameters = static_cast<Eigen::Index>(parameter_count(fit.axis()));

@@ -6,6 +6,9 @@
 
 namespace morepro::host {
 
+/// By how much the bend of a law bends it where its cause is largest in the recording, as a share of the law.
+double largest_bend(const gap::EffectForm& form, const AxisFit& fit);
+
 /// Standard errors by the shapes of the laws in a model: by how much a value changes where a law may bend and
 /// its range may be another one, as far as machines differ in that (three tenths) and the recording lets
 /// them, and how much less is known then. Zeros where no law has such a freedom.

@@ -17,7 +17,7 @@
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/changed_values.hpp"
 #include "sim_host/diagnose/outcome/name_checks.hpp"
-#include "sim_host/diagnose/search/effect_duel.hpp"
+#include "sim_host/diagnose/search/effect_trial.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {

@@ -11,8 +11,8 @@
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/diagnose/outcome/name_checks.hpp"
 #include "sim_host/diagnose/search/candidate_forms.hpp"
-#include "sim_host/diagnose/search/effect_duel.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
+#include "sim_host/diagnose/search/effect_trial.hpp"
 #include "sim_host/diagnose/search/winding_heat.hpp"
 
 namespace morepro::host {

@@ -36,14 +36,6 @@ bool contains_force(const gap::EffectForm& form) {
 
 bool by_evidence(const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; }
 
-/// The best of others come first.
-void prefer_all(std::vector<Candidate> others, std::vector<Candidate>& ranked) {
-  others.resize(std::min(others.size(), kMostRivals - 1));
-  const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
-  for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred)
-    prefer(std::move(*preferred), most, ranked);
-}
-
 Whitening without_memory(Whitening whitening) {
   for (SensorWhitening& sensor : whitening) sensor.memory = {};
   return whitening;
@@ -196,7 +188,11 @@ class DiagnosisSearch {
   void prefer_by_datasheet(std::vector<Candidate>& ranked) const {
     AxisFit fit = at_datasheet(fit_);
     if (is_bent(fit_)) fit.match_noise();  // which may take what is hidden from the other model, too
-    prefer_all(ranked_beside(fit), ranked);
+    auto others = ranked_beside(fit);
+    others.resize(std::min(others.size(), kMostRivals - 1));
+    const double most = ranked.empty() ? 0.0 : ranked.front().evidence;
+    for (auto preferred = others.rbegin(); preferred != others.rend(); ++preferred)
+      prefer(std::move(*preferred), most, ranked);
   }
 
   /// A shaft that explains most beside the usual process noise gets its trial; random forces that its

@@ -163,15 +163,4 @@ AxisFit duel(const AxisFit& fit, const DuelTerms& terms, std::vector<Candidate>&
   return Duel(fit, terms).run(ranked);
 }
 
-double cost_of(const AxisFit& fit) {
-  double cost = fit.unlikeliness();
-  for (const gap::AppliedEffect& effect : fit.model().effects) cost += freedom_cost(fit, effect);
-  return cost;
-}
-
-double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect) {
-  const double onset = effect.onset_s > 0.0 ? 1.0 : 0.0;
-  return (effect.form.parts + 1.0 + onset) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
-}
-
 }  // namespace morepro::host

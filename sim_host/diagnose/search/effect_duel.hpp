@@ -19,12 +19,4 @@ struct DuelTerms {
 /// the best, which is then in front, with what all of them are worth; `fit` where no trial came to anything.
 AxisFit duel(const AxisFit& fit, const DuelTerms& terms, std::vector<Candidate>& ranked);
 
-/// Deviance that an effect gains by chance: its coefficients', one for the shape that was looked for, and one
-/// for the onset.
-double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect);
-
-/// What models of one recording are compared by: how unlikely they make it, and what the freedom of their
-/// effects gains by chance. Smaller is better.
-double cost_of(const AxisFit& fit);
-
 }  // namespace morepro::host

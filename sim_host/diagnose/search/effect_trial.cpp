@@ -1,6 +1,7 @@
 #include "sim_host/diagnose/search/effect_trial.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -8,7 +9,7 @@
 #include "lib/gap/dry_friction.hpp"
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
-#include "sim_host/diagnose/search/effect_duel.hpp"
+#include "sim_host/diagnose/fit/shape_freedom.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
@@ -38,17 +39,12 @@ constexpr bool has_blurred_shape(const gap::EffectForm& form) {
 
 /// How much the second part of a law is of its first where its cause is largest, of those that have no second
 /// part where there is no cause.
-double largest_bend(gap::Effect effect, const AxisFit& fit) {
-  const RecordingSignals& signals = fit.signals();
-  const gap::ReferencePoint& point = fit.model().point;
-  const auto square = [](double ratio) { return ratio * ratio; };
-  switch (effect) {
+double bend_at_most(const gap::EffectForm& form, const AxisFit& fit) {
+  switch (form.effect) {
     case gap::Effect::kFeedForceSaturation:
-      return square(signals.largest(Channel::kFeedForce) / point.feed_force_n);
     case gap::Effect::kTorqueConstantSaturation:
-      return square(signals.largest(Channel::kArmatureCurrent) / point.current_a);
     case gap::Effect::kToolWearRamp:
-      return signals.cutting_time_s.empty() ? 0.0 : 0.1 * signals.cutting_time_s.back();
+      return largest_bend(form, fit);
     default:
       return 0.0;
   }
@@ -65,7 +61,7 @@ bool turns_round(const gap::AppliedEffect& effect, const AxisFit& fit) {
   const double most = fit.signals().largest(is_drive ? Channel::kFeedForce : Channel::kArmatureCurrent);
   const double first = effect.coefficient[0] * most * most;
   const double bend =
-      effect.form.parts > 1 ? effect.coefficient[1] * largest_bend(own, fit) * most * most : 0.0;
+      effect.form.parts > 1 ? effect.coefficient[1] * bend_at_most(effect.form, fit) * most * most : 0.0;
   const bool peaks_before = first > 0.0 && bend < 0.0 && first < -2.0 * bend;
   return std::max(first + bend, peaks_before ? -first * first / (4.0 * bend) : 0.0) > kMostLost;
 }
@@ -128,6 +124,17 @@ EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, const Axi
   return cost_of(from_start.fit) < cost_of(trial.fit) ? std::move(from_start) : std::move(trial);
 }
 
+double cost_of(const AxisFit& fit) {
+  double cost = fit.unlikeliness();
+  for (const gap::AppliedEffect& effect : fit.model().effects) cost += freedom_cost(fit, effect);
+  return cost;
+}
+
+double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect) {
+  const double onset = effect.onset_s > 0.0 ? 1.0 : 0.0;
+  return (effect.form.parts + 1.0 + onset) * std::log(static_cast<double>(fit.signals().rows) + 2.0);
+}
+
 bool is_bent(const AxisFit& fit) {
   const Eigen::VectorXd deviation = fit.deviation().cwiseAbs();
   const Eigen::Index relative = fit.axis() == Axis::kSpindle ? deviation.size() : 2;
@@ -143,7 +150,8 @@ bool acts_the_wrong_way(const gap::AppliedEffect& effect, const AxisFit& fit) {
   if (!gap::acts_one_way(own) || is_shape || !(effect.coefficient[0] < 0.0)) return false;
   if (gap::info_of(own).range != gap::SizeRange::kAnySign) return true;
   const bool has_bend = effect.form.parts > 1 && gap::bends(own);
-  if (has_bend && effect.coefficient[0] + largest_bend(own, fit) * effect.coefficient[1] > 0.0) return false;
+  if (has_bend && effect.coefficient[0] + bend_at_most(effect.form, fit) * effect.coefficient[1] > 0.0)
+    return false;
   const auto& known = fit.model().known;
   return std::none_of(known.begin(), known.end(),
                       [own](const gap::AppliedEffect& one) { return is_of_one_kind(one.form.effect, own); });

@@ -20,6 +20,14 @@ struct EffectTrial {
 EffectTrial try_effect(const AxisFit& fit, const Candidate& candidate, const AxisFit::Rival& without,
                        bool is_astray);
 
+/// Deviance that an effect gains by chance: its coefficients', one for the shape that was looked for, and one
+/// for the onset.
+double freedom_cost(const AxisFit& fit, const gap::AppliedEffect& effect);
+
+/// What models of one recording are compared by: how unlikely they make it, and what the freedom of their
+/// effects gains by chance. Smaller is better.
+double cost_of(const AxisFit& fit);
+
 /// Has the recording driven a parameter farther than a datasheet can be wrong? One that it does not tell may
 /// be anywhere.
 bool is_bent(const AxisFit& fit);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "sim_host/diagnose/search/effect_duel.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
