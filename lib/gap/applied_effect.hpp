@@ -63,12 +63,18 @@ class AppliedTerm {
   /// When it sets in.
   Onset<Real>& onset() { return onset_; }
 
-  /// Adds what the effect contributes during one step.
+  /// Adds what the effect contributes during one step. What is there from the start needs no signals of its
+  /// own: to copy them takes as long as a law.
   void step(const EffectSignals<Real>& signals, Contribution<Real>& sum) {
+    if (!(onset_.time_s > Real(0))) return add(signals, Real(1), sum);
     const Real share = onset_.has_come(signals) ? Real(1) : Real(0);
-    const EffectSignals<Real> since = onset_.since(signals);
+    add(onset_.since(signals), share, sum);
+  }
+
+ private:
+  void add(const EffectSignals<Real>& signals, Real share, Contribution<Real>& sum) {
     for (std::size_t i = 0; i < parts_; ++i) {
-      const Contribution<Real> one = term_[i].step(since, scales_);
+      const Contribution<Real> one = term_[i].step(signals, scales_);
       const Real gain = share * coefficient_[i];
       sum.torque_nm += gain * one.torque_nm;
       sum.force_n += gain * one.force_n;
@@ -79,7 +85,6 @@ class AppliedTerm {
     }
   }
 
- private:
   EffectScales<Real> scales_;
   std::array<EffectTerm<Real, kDelaySteps>, kMostParts> term_{};
   std::array<Real, kMostParts> coefficient_{};

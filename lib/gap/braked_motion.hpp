@@ -48,42 +48,56 @@ Real half_of(Real integral_s, Real kept) {
 
 /// The interval of an axis that turns, sticks or breaks away within it, in parts: dry friction has another
 /// side, or none, in each of them. Halves of it around the whole interval took a friction of 8 N for 9 N and
-/// a mass for one 14 % larger, at 1 kHz.
+/// a mass for one 14 % larger, at 1 kHz. What a part is wrong by falls with its square: where friction hardly
+/// changes, a quarter of the parts will do.
 template <class Real>
 class MotionInParts {
  public:
   /// `braking_per_s` > 0: viscous friction over mass.
   MotionInParts(Real braking_per_s, Real step_s)
-      : parts_(parts_of(step_s)),
-        part_s_(step_s / static_cast<Real>(parts_)),
-        braking_per_s_(braking_per_s),
-        step_(math::exponential_step(math::BasicMatrix2<Real>{Real(0), Real(1), Real(0), -braking_per_s},
-                                     part_s_)) {}
+      : few_(parts_of(step_s) / kFewer, step_s, braking_per_s),
+        many_(parts_of(step_s), step_s, braking_per_s),
+        braking_per_s_(braking_per_s) {}
 
   /// Does friction that took `first` in the first half of the interval and `last` in the other need parts?
   [[nodiscard]] bool is_needed(Real first, Real last) const {
-    constexpr Real kSame = Real(0.002);
-    return parts_ > 1 && !(math::abs(first - last) <= kSame * math::abs(first));
+    return many_.count > 1 && !(math::abs(first - last) <= kSame * math::abs(first));
   }
 
-  /// `free_m_s2`: acceleration of an axis at rest without friction; `rub(acting_s, speed_m_s)`: a speed after
-  /// dry friction has acted on it for so long.
+  /// `first` and `last` as above; `free_m_s2`: acceleration of an axis at rest without friction;
+  /// `rub(acting_s, speed_m_s)`: a speed after dry friction has acted on it for so long.
   template <class Rub>
-  [[nodiscard]] Motion<Real> from(Real position_m, Real speed_m_s, Real free_m_s2, Rub rub) const {
+  [[nodiscard]] Motion<Real> from(Real position_m, Real speed_m_s, Real first, Real last, Real free_m_s2,
+                                  Rub rub) const {
+    constexpr Real kHardlyOther = kSame * static_cast<Real>(kFewer * kFewer);
+    const bool is_other = !(math::abs(first - last) <= kHardlyOther * math::abs(first));
+    const Parts& parts = is_other || few_.count == 0 ? many_ : few_;
     Motion<Real> motion{.position_m = position_m, .speed_m_s = speed_m_s};
-    const Real half_s = half_of(step_.integral.a11, step_.exp.a11);
+    const Real half_s = half_of(parts.step.integral.a11, parts.step.exp.a11);
     motion.rub(rub(half_s, motion.speed_m_s));
-    for (std::size_t i = 1; i < parts_; ++i) {
-      motion.drift(step_, free_m_s2 - braking_per_s_ * motion.speed_m_s);
+    for (std::size_t i = 1; i < parts.count; ++i) {
+      motion.drift(parts.step, free_m_s2 - braking_per_s_ * motion.speed_m_s);
       motion.rub(rub(Real(2) * half_s, motion.speed_m_s));
     }
-    motion.drift(step_, free_m_s2 - braking_per_s_ * motion.speed_m_s);
+    motion.drift(parts.step, free_m_s2 - braking_per_s_ * motion.speed_m_s);
     motion.rub(rub(half_s, motion.speed_m_s));
     motion.gained_m_s = motion.speed_m_s - speed_m_s;
     return motion;
   }
 
  private:
+  static constexpr Real kSame = Real(0.002);  // of the friction, by which both halves may differ
+  static constexpr std::size_t kFewer = 4;
+
+  struct Parts {
+    Parts(std::size_t parts, Real step_s, Real braking_per_s)
+        : count(parts),
+          step(math::exponential_step(math::BasicMatrix2<Real>{Real(0), Real(1), Real(0), -braking_per_s},
+                                      step_s / static_cast<Real>(std::max<std::size_t>(parts, 1)))) {}
+    std::size_t count;
+    math::BasicExponentialStep2<Real> step;
+  };
+
   /// Over several milliseconds an input is a mean of what moved the axis, and does not tell when it turned;
   /// of a real axis, a ball screw seen at 200 Hz, a sharp turn at the wrong time left 3 N of presliding.
   static std::size_t parts_of(Real step_s) {
@@ -92,10 +106,9 @@ class MotionInParts {
     return static_cast<std::size_t>(std::clamp(step_s / kPartS, Real(1), kMost));
   }
 
-  std::size_t parts_;
-  Real part_s_;
+  Parts few_;
+  Parts many_;
   Real braking_per_s_;
-  math::BasicExponentialStep2<Real> step_;
 };
 
 /// Instead of it, where no friction is part of the model.

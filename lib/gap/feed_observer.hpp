@@ -160,8 +160,9 @@ class FeedObserver {
         .gained_m_s = dv + integral_.a11 * rate_added + rubbed_m_s,
         .rubbed_m_s = rubbed_m_s};
     if constexpr (kApplied > 0) {
-      if (in_parts_.is_needed(v - observer_.mean(1), after.value - free_m_s))
-        motion = in_parts(braking, (frame.input.feed_force_n - cut_n) / k.mass_kg + rate_added);
+      const Real first = v - observer_.mean(1), last = after.value - free_m_s;
+      if (in_parts_.is_needed(first, last))
+        motion = in_parts(braking, first, last, (frame.input.feed_force_n - cut_n) / k.mass_kg + rate_added);
     }
     added_.force_n += half * motion.rubbed_m_s / friction_yield_;
     if (has_columns_) load_columns(middle, motion.gained_m_s / step_s_, frame.input);
@@ -170,9 +171,10 @@ class FeedObserver {
                       no_position_, speed_rate_);
   }
 
-  /// `free_m_s2`: acceleration of an axis at rest without friction.
-  Motion<Real> in_parts(Braking<Real> braking, Real free_m_s2) const {
-    return in_parts_.from(observer_.mean(0), observer_.mean(1), free_m_s2,
+  /// `first`, `last`: what friction took in the halves; `free_m_s2`: acceleration of an axis at rest without
+  /// friction.
+  Motion<Real> in_parts(Braking<Real> braking, Real first, Real last, Real free_m_s2) const {
+    return in_parts_.from(observer_.mean(0), observer_.mean(1), first, last, free_m_s2,
                           [&](Real acting_s, Real speed_m_s) {
                             braking.yield = acting_s / terms_.scales().mass_kg;
                             return terms_.rub(braking, speed_m_s);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "lib/gap/braked_motion.hpp"
 
@@ -18,11 +19,11 @@ struct PlaceAndSpeed {
 };
 
 /// The same axis in small steps of second order.
-PlaceAndSpeed way_of(double speed_m_s, double free_m_s2) {
+PlaceAndSpeed way_of(double speed_m_s, double free_m_s2, double side_m_s = kSideM_s) {
   constexpr int kSteps = 20000;
   constexpr double kS = kIntervalS / kSteps;
-  const auto rate = [free_m_s2](double v) {
-    return free_m_s2 - kBrakingPerS * v - kFrictionM_s2 * std::tanh(v / kSideM_s);
+  const auto rate = [free_m_s2, side_m_s](double v) {
+    return free_m_s2 - kBrakingPerS * v - kFrictionM_s2 * std::tanh(v / side_m_s);
   };
   PlaceAndSpeed place{0.0, speed_m_s};
   for (int i = 0; i < kSteps; ++i) {
@@ -33,9 +34,10 @@ PlaceAndSpeed way_of(double speed_m_s, double free_m_s2) {
   return place;
 }
 
+/// What friction takes in the halves of an interval is so different that it has all its parts.
 Motion<double> in_parts(double speed_m_s, double free_m_s2) {
   const MotionInParts<double> parts(kBrakingPerS, kIntervalS);
-  return parts.from(0.0, speed_m_s, free_m_s2, [](double acting_s, double v) {
+  return parts.from(0.0, speed_m_s, -1.0, 1.0, free_m_s2, [](double acting_s, double v) {
     return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s);
   });
 }
@@ -65,6 +67,24 @@ TEST(BrakedMotion, KnowsWhatIsLeftOfASmallDifference) {
       EXPECT_NEAR(here.by_rate.a11, (more.speed_m_s - less.speed_m_s) / (2.0 * kRate), 1.0e-7);
       EXPECT_NEAR(here.by_rate.a01, (more.position_m - less.position_m) / (2.0 * kRate), 1.0e-10);
     }
+}
+
+// Where a wide side is nearly left behind friction grows by 3 % within the step: four parts are right to a
+// thousandth of what it takes.
+TEST(BrakedMotion, HasFewerPartsWhereFrictionHardlyChanges) {
+  constexpr double kWideM_s = 2.0e-3, kSpeed = 5.0e-3, kFree = 5.0;
+  constexpr double kThousandth = 1.0e-3 * kFrictionM_s2 * kIntervalS;
+  const MotionInParts<double> interval(kBrakingPerS, kIntervalS);
+  const double truth = way_of(kSpeed, kFree, kWideM_s).speed_m_s;
+  for (const auto& [last, parts] : {std::pair(-1.03, 4), std::pair(-1.04, 16)}) {
+    int rubs = 0;
+    const auto motion = interval.from(0.0, kSpeed, -1.0, last, kFree, [&rubs](double acting_s, double v) {
+      ++rubs;
+      return friction_step(v, kWideM_s, kFrictionM_s2 * acting_s);
+    });
+    EXPECT_EQ(rubs, parts + 1);
+    EXPECT_NEAR(motion.speed_m_s, truth, kThousandth);
+  }
 }
 
 // Halves of an interval's friction each took (1 + exp(-b h)) / 2 of it, b h = 0.07 here: 3 N came back as

@@ -22,6 +22,7 @@ constexpr std::array kDampings{0.0, 1.0, 30.0};
 constexpr double kSettledRound = 5.0;         // deviance that a round of noise and parameters gains
 constexpr double kSettled = 4.0;              // chi-square that a further step would gain
 constexpr double kBeyondAnotherRound = 0.01;  // deviance per row that another round does not make up for
+constexpr double kAsMuch = 1.2;               // times a promise that was in vain
 constexpr double kCrawl = 0.005;      // share of its promise that a step keeps where another one is no use
 constexpr double kLongestStep = 0.3;  // relative: beyond, the linearisation is worth little
 
@@ -175,7 +176,9 @@ bool AxisFit::improve(Trial& best) {
   known_directions_ = directions_known(unit * solution.covariance.topLeftCorner(parameters, parameters),
                                        precision(width).head(parameters));
   const double promised = best.squares - solution.rss;
-  if (!(promised > kSettled * unit)) return false;
+  const bool is_in_vain = promised < kAsMuch * best.in_vain;
+  promised_in_vain_ = is_in_vain ? best.in_vain : 0.0;
+  if (is_in_vain || !(promised > kSettled * unit)) return false;
   const GapModel start = model_;
   for (; best.damping < kDampings.size(); ++best.damping) {
     change_model() = start;
@@ -187,10 +190,12 @@ bool AxisFit::improve(Trial& best) {
     // Where the linearisation held, the next step may be bolder.
     const bool has_held = gained > 0.5 * promised;
     trial.damping = has_held && best.damping > 0 ? best.damping - 1 : best.damping;
+    trial.in_vain = best.in_vain;
     best = std::move(trial);
     return gained > std::max(kSettled * unit, kCrawl * promised);
   }
   change_model() = start;
+  promised_in_vain_ = promised;
   return false;
 }
 
@@ -266,8 +271,9 @@ void AxisFit::expect_noise(double share) {
   expect_process_noise(std::min(share, noise_bounds_.most_share), change_model().noise);
 }
 
-void AxisFit::refit() {
+void AxisFit::refit(double in_vain) {
   Trial best = tried();
+  best.in_vain = in_vain;
   for (int i = 0; i < kMostImprovements && improve(best); ++i) {
   }
   take_rest(best.statistics);

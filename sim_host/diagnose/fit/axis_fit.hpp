@@ -78,8 +78,11 @@ class AxisFit {
   void finish(const Rival& rival);
   /// The same from near the end, with all that is looked at.
   void polish(double rival = kNone);
-  /// The same without the process noise.
-  void refit();
+  /// The same without the process noise; `in_vain`: what a linearisation promised to a model close by without
+  /// a step that kept any of it. About as much is not looked for again.
+  void refit(double in_vain = 0.0);
+  /// What it promises to the refitted model in vain.
+  [[nodiscard]] double promised_in_vain() const { return promised_in_vain_; }
   /// The same without the whitening either: what is compared must be judged alike. Returns what is left to
   /// be made smaller.
   double refit_with_this_noise();
@@ -174,6 +177,7 @@ class AxisFit {
     double squares = 0.0;     ///< of the innovations and of the prior
     double cost = 0.0;        ///< that is to become smaller
     std::size_t damping = 0;  ///< that the next step begins with
+    double in_vain = 0.0;     ///< promise that no step keeps
   };
   /// What the parts of an effect of the model are multiplied by, 1 where the shape is the size, and how well
   /// they are known.
@@ -218,6 +222,7 @@ class AxisFit {
   Whitening whitening_;
   NoiseBounds noise_bounds_;
   double unlikeliness_ = kNone;
+  double promised_in_vain_ = 0.0;
   std::optional<Memory> memory_{};   ///< of past innovations, beside noise that lasts
   const InputNews* news_ = nullptr;  ///< that are weighed along
   int known_directions_ = 0;
