@@ -123,6 +123,13 @@ std::vector<AxisFit> likeliest_fits(const AxisFit& start) {
   return {std::move(best)};
 }
 
+/// Three times what is usual.
+gap::GapNoise<double> loud_noise(const AxisFit& fit) {
+  gap::GapNoise<double> noise = fit.model().noise;
+  expect_process_noise(3.0 * kUsualNoiseShare, noise);
+  return noise;
+}
+
 }  // namespace
 
 bool leaves_noise(const AxisFit& fit) {
@@ -132,12 +139,13 @@ bool leaves_noise(const AxisFit& fit) {
 }
 
 bool needs_noise(const AxisFit& fit) {
-  constexpr double kLittle = 3.0;
-  gap::GapNoise<double> little = fit.model().noise;
-  expect_process_noise(kLittle * kUsualNoiseShare, little);
+  return needs_random_forces(fit) || fit.model().noise.current_step > loud_noise(fit).current_step;
+}
+
+bool needs_random_forces(const AxisFit& fit) {
+  const gap::GapNoise<double> loud = loud_noise(fit);
   const gap::GapNoise<double>& noise = fit.model().noise;
-  return noise.speed_step > little.speed_step || noise.current_step > little.current_step ||
-         noise.feed_step > little.feed_step;
+  return noise.speed_step > loud.speed_step || noise.feed_step > loud.feed_step;
 }
 
 std::vector<AxisFit> nominal_fits(const AxisFit& start) {

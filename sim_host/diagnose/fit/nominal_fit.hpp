@@ -9,8 +9,9 @@ namespace morepro::host {
 /// Are the innovations what the observer expects of them, new and of their size?
 bool leaves_noise(const AxisFit& fit);
 
-/// Does it believe in more than three times the process noise that is usual?
+/// Does it believe in more than three times the process noise that is usual? And of what moves it?
 bool needs_noise(const AxisFit& fit);
+bool needs_random_forces(const AxisFit& fit);
 
 /// Fits of the model without effects that a search may begin with, one or two, the likelier one first.
 /// `start` has the datasheet's parameters. Two ways lead there: process noise that is fitted to a datasheet

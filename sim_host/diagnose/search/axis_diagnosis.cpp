@@ -136,7 +136,7 @@ class DiagnosisSearch {
     if (is_astray_ || !diagnosis_.found.empty()) return false;
     if (!leaves_noise(fit_))
       prefer_by_datasheet(ranked);
-    else if (!needs_noise(fit_) || !prefer_shaft_that_noise_hides(ranked))
+    else if (!needs_random_forces(fit_) || !prefer_shaft_that_noise_hides(ranked))
       return false;
     is_astray_ = true;
     return add_best_of(std::move(ranked));

@@ -192,7 +192,7 @@ RecordingSignals thinned(const RecordingSignals& signals, std::size_t factor) {
 
 std::vector<Stretch> quarter_of(const RecordingSignals& signals) {
   constexpr std::size_t kStretches = 16;
-  constexpr std::size_t kShort = 40000;  // rows
+  constexpr std::size_t kShort = 20000;  // rows
   if (signals.rows < kShort) return all_of(signals);
   const std::size_t room = signals.rows / kStretches;
   const std::size_t length = room / 4;
