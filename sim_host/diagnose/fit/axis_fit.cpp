@@ -176,15 +176,16 @@ bool AxisFit::improve(Trial& best) {
   known_directions_ = directions_known(unit * solution.covariance.topLeftCorner(parameters, parameters),
                                        precision(width).head(parameters));
   const double promised = best.squares - solution.rss;
+  promised_in_vain_ = 0.0;
+  if (!(promised > kSettled * unit)) return false;
   const bool is_in_vain = promised < kAsMuch * best.in_vain;
-  promised_in_vain_ = is_in_vain ? best.in_vain : 0.0;
-  if (is_in_vain || !(promised > kSettled * unit)) return false;
+  const std::size_t last = is_in_vain ? best.damping + 1 : kDampings.size();
   const GapModel start = model_;
-  for (; best.damping < kDampings.size(); ++best.damping) {
+  for (; best.damping < last; ++best.damping) {
     change_model() = start;
     take(step_of(best.moments, active, kDampings[best.damping]));
     Trial trial = tried();
-    if (!(trial.cost < best.cost) && best.damping == 0) follow_bend(best, trial);
+    if (!(trial.cost < best.cost) && best.damping == 0 && !is_in_vain) follow_bend(best, trial);
     const double gained = best.cost - trial.cost;
     if (!(gained > 0.0)) continue;
     // Where the linearisation held, the next step may be bolder.

@@ -79,7 +79,7 @@ class AxisFit {
   /// The same from near the end, with all that is looked at.
   void polish(double rival = kNone);
   /// The same without the process noise; `in_vain`: what a linearisation promised to a model close by without
-  /// a step that kept any of it. About as much is not looked for again.
+  /// a step that kept any of it. About as much gets one step, without any that are damped.
   void refit(double in_vain = 0.0);
   /// What it promises to the refitted model in vain.
   [[nodiscard]] double promised_in_vain() const { return promised_in_vain_; }
