@@ -48,8 +48,8 @@ Real half_of(Real integral_s, Real kept) {
 
 /// The interval of an axis that turns, sticks or breaks away within it, in parts: dry friction has another
 /// side, or none, in each of them. Halves of it around the whole interval took a friction of 8 N for 9 N and
-/// a mass for one 14 % larger, at 1 kHz. What a part is wrong by falls with its square: where friction hardly
-/// changes, a quarter of the parts will do.
+/// a mass for one 14 % larger, at 1 kHz. What they are wrong by falls with the square of their number: where
+/// friction hardly changes, a quarter of them will do.
 template <class Real>
 class MotionInParts {
  public:
@@ -61,7 +61,7 @@ class MotionInParts {
 
   /// Does friction that took `first` in the first half of the interval and `last` in the other need parts?
   [[nodiscard]] bool is_needed(Real first, Real last) const {
-    return many_.count > 1 && !(math::abs(first - last) <= kSame * math::abs(first));
+    return many_.count > 1 && !is_enough(1, first, last);
   }
 
   /// `first` and `last` as above; `free_m_s2`: acceleration of an axis at rest without friction;
@@ -69,9 +69,7 @@ class MotionInParts {
   template <class Rub>
   [[nodiscard]] Motion<Real> from(Real position_m, Real speed_m_s, Real first, Real last, Real free_m_s2,
                                   Rub rub) const {
-    constexpr Real kHardlyOther = kSame * static_cast<Real>(kFewer * kFewer);
-    const bool is_other = !(math::abs(first - last) <= kHardlyOther * math::abs(first));
-    const Parts& parts = is_other || few_.count == 0 ? many_ : few_;
+    const Parts& parts = is_enough(few_.count, first, last) ? few_ : many_;
     Motion<Real> motion{.position_m = position_m, .speed_m_s = speed_m_s};
     const Real half_s = half_of(parts.step.integral.a11, parts.step.exp.a11);
     motion.rub(rub(half_s, motion.speed_m_s));
@@ -86,8 +84,13 @@ class MotionInParts {
   }
 
  private:
-  static constexpr Real kSame = Real(0.002);  // of the friction, by which both halves may differ
   static constexpr std::size_t kFewer = 4;
+
+  [[nodiscard]] static bool is_enough(std::size_t parts, Real first, Real last) {
+    constexpr Real kSame = Real(0.002);  // of the friction, by which halves of one part may differ
+    const Real change = kSame * static_cast<Real>(parts * parts);
+    return parts > 0 && math::abs(first - last) <= change * math::abs(first);
+  }
 
   struct Parts {
     Parts(std::size_t parts, Real step_s, Real braking_per_s)

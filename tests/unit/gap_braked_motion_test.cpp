@@ -87,6 +87,19 @@ TEST(BrakedMotion, HasFewerPartsWhereFrictionHardlyChanges) {
   }
 }
 
+// A quarter of few parts is right only where friction changes still less.
+TEST(BrakedMotion, HasAllPartsWhereAQuarterOfThemIsNotEnough) {
+  const MotionInParts<double> interval(kBrakingPerS, 0.5 * kIntervalS);
+  for (const auto& [last, parts] : {std::pair(-1.007, 2), std::pair(-1.009, 8)}) {
+    int rubs = 0;
+    const auto motion = interval.from(0.0, 5.0e-3, -1.0, last, 5.0, [&rubs](double acting_s, double v) {
+      ++rubs;
+      return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s);
+    });
+    EXPECT_EQ(rubs, parts + 1) << motion.speed_m_s;
+  }
+}
+
 // Halves of an interval's friction each took (1 + exp(-b h)) / 2 of it, b h = 0.07 here: 3 N came back as
 // 3.1 N at 1 kHz.
 TEST(BrakedMotion, AFrictionThatDoesNotChangeIsExactWithoutParts) {

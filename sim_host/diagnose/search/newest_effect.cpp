@@ -65,7 +65,7 @@ bool exchange_lags(GapModel& model) {
 void settle_fitted(AxisFit& fit) {
   const AxisFit fitted = fit;
   fit.settle(kRounds);
-  if (fitted.unlikeliness() < fit.unlikeliness()) fit = fitted;
+  if (!(fit.unlikeliness() < fitted.unlikeliness())) fit = fitted;
 }
 
 /// Is there so much noise that nothing that hides in it is worth a search beside little? Deviance that it
