@@ -36,6 +36,18 @@ TEST_F(Innovations, AreThoseOfTheFittedModel) {
   EXPECT_NE(fit_.innovations().normalised[1], before);
 }
 
+/// What was promised to a neighbour in vain may be kept here.
+TEST_F(Innovations, GetAStepWhateverWasInVain) {
+  constexpr double kEverything = 1.0e300;
+  constexpr double kOfAStep = 4.0;  // deviance for which no further one is made
+  fit_.change_model().machine.feed.mass_kg *= 1.1;
+  AxisFit other = fit_;
+  fit_.refit();
+  other.refit(kEverything);
+  EXPECT_NEAR(other.unlikeliness(), fit_.unlikeliness(), kOfAStep);
+  EXPECT_EQ(other.promised_in_vain(), 0.0);
+}
+
 /// A machine changes by more from day to day than a good recording leaves open; a bad one tells nothing of
 /// some.
 TEST(SpreadOfValues, IsTheMeanOfWhatIsOpenOfEach) {

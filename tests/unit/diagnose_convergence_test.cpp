@@ -32,17 +32,6 @@ TEST(Valleys, ThatBendAreFollowed) {
   }
 }
 
-// What a linearisation promised to one width of a friction in vain the next one has, as much of it: where it
-// was not looked for again there, 8 N were 7.9 +- 0.3 N.
-TEST(PromisesInVain, AreKeptToTheNextShape) {
-  const auto result = diagnosed(
-      record({.effects = {effect(Effect::kFeedCoulombFriction, 8.0)}, .duration_s = 10.0, .seed = 5}),
-      datasheet(0.2));
-  ASSERT_EQ(result.which.size(), 1U) << said(result);
-  EXPECT_NEAR(result.which.front().magnitude, 8.0, 0.04);  // half of what its shape may be wrong by
-  EXPECT_LT(result.which.front().standard_error, 0.15);    // where its width is right, 0.08
-}
-
 // Beside a bristle a load of the cut that grows with the feed's speed was fitted to a part of the recording,
 // ran away in the rest, and took the bristle with it.
 TEST(RunawayModels, TakeNothingWithThem) {
