@@ -61,6 +61,14 @@ TEST(Causes, OfWhichOneIsAWeakSlowLawMayBeOne) {
     EXPECT_FALSE(may_be_one(Effect::kFeedSpring, 1000.0, unlike, 300.0)) << gap::name_of(unlike);
 }
 
+// A drop at the brushes leaves nothing of its shape in the torque.
+TEST(Causes, OfWhichOneBrakesTheSpindleAreTwo) {
+  EXPECT_FALSE(may_be_one(Effect::kBrushVoltageDrop, 1000.0, Effect::kSpindleCoulombFriction, 50.0));
+  EXPECT_FALSE(may_be_one(Effect::kSpindleWindage, 50.0, Effect::kCurrentBias, 1000.0));
+  EXPECT_TRUE(may_be_one(Effect::kSpindleStribeckFriction, 1000.0, Effect::kSpindleWindage, 50.0));
+  EXPECT_TRUE(may_be_one(Effect::kMagnetTemperatureDrift, 1000.0, Effect::kResistanceTemperatureDrift, 50.0));
+}
+
 /// A finding of this size in the unit of the catalogue.
 Finding found_as(Effect effect, double size) {
   Finding finding;

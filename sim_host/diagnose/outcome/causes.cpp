@@ -98,6 +98,8 @@ bool is_its_dry_part(const Finding& part, const Finding& whole) {
          part.effect.coefficient[0] * whole.effect.coefficient[0] > 0.0;
 }
 
+bool brakes_spindle(Effect effect) { return gap::info_of(effect).group == gap::EffectGroup::kSpindleTorque; }
+
 }  // namespace
 
 std::optional<std::size_t> shaped_by(std::span<const Finding> found, std::size_t index) {
@@ -128,15 +130,21 @@ std::size_t causes_of(std::span<const Finding> found) {
   return causes + std::min<std::size_t>(parts, 1);
 }
 
+// Of pairs of which one brakes the spindle both names were right in ten of eleven, the stronger one in all;
+// of others, so weak, in five of ten (tests/blind, seeds 199 and 201, and two other simulators).
 bool may_be_one_cause(std::span<const Finding> found) {
   constexpr double kWeak = 0.35;
   if (causes_of(found) != 2) return false;
   std::vector<double> evidence;
+  std::size_t brakes = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (shaped_by(found, i)) continue;
-    if (!is_slow_law(found[i].effect.form.effect)) return false;
+    const Effect effect = found[i].effect.form.effect;
+    if (!is_slow_law(effect)) return false;
     evidence.push_back(found[i].evidence);
+    brakes += brakes_spindle(effect) ? 1 : 0;
   }
+  if (brakes == 1) return false;
   const auto [weaker, stronger] = std::minmax_element(evidence.begin(), evidence.end());
   return evidence.size() == 2 && *weaker < kWeak * *stronger;
 }

@@ -12,7 +12,8 @@ namespace morepro::host {
 std::size_t causes_of(std::span<const Finding> found);
 
 /// Are there two names, of slow laws, and is the weaker one worth so little of the stronger that it may be
-/// what the stronger one's shape leaves, or both what a cause without a name looks like?
+/// what the stronger one's shape leaves, or both what a cause without a name looks like? Not where one of
+/// them brakes a spindle and the other one does not: what either leaves is elsewhere.
 bool may_be_one_cause(std::span<const Finding> found);
 
 /// Is this one of them, without other parts?
