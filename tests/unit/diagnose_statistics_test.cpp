@@ -120,6 +120,16 @@ TEST(QuarterOf, ALongRecordingLiesEverywhereInIt) {
   EXPECT_EQ(quarter_of(signals).front().last, signals.rows);
 }
 
+// Pieces of two seconds are too short to show a resonance, those of twenty are not.
+TEST(QuarterOf, FewRowsIsOfWhatLasts) {
+  RecordingSignals signals;
+  signals.rows = 20'000;
+  signals.rate_hz = 10'000.0;
+  EXPECT_EQ(quarter_of(signals).size(), 1U);
+  signals.rate_hz = 1'000.0;
+  EXPECT_GT(quarter_of(signals).size(), 1U);
+}
+
 // A fit that begins with a part of a recording ends where one ends that has seen all of it from the start: 5
 // is the deviance that a round of either may leave.
 TEST(AxisFitOfALongRecording, EndsWhereAllOfItLeads) {
