@@ -63,18 +63,12 @@ class AppliedTerm {
   /// When it sets in.
   Onset<Real>& onset() { return onset_; }
 
-  /// Adds what the effect contributes during one step. What is there from the start needs no signals of its
-  /// own: to copy them takes as long as a law.
+  /// Adds what the effect contributes during one step.
   void step(const EffectSignals<Real>& signals, Contribution<Real>& sum) {
-    if (!(onset_.time_s > Real(0))) return add(signals, Real(1), sum);
     const Real share = onset_.has_come(signals) ? Real(1) : Real(0);
-    add(onset_.since(signals), share, sum);
-  }
-
- private:
-  void add(const EffectSignals<Real>& signals, Real share, Contribution<Real>& sum) {
+    const EffectSignals<Real> since = onset_.since(signals);
     for (std::size_t i = 0; i < parts_; ++i) {
-      const Contribution<Real> one = term_[i].step(signals, scales_);
+      const Contribution<Real> one = term_[i].step(since, scales_);
       const Real gain = share * coefficient_[i];
       sum.torque_nm += gain * one.torque_nm;
       sum.force_n += gain * one.force_n;
@@ -85,6 +79,7 @@ class AppliedTerm {
     }
   }
 
+ private:
   EffectScales<Real> scales_;
   std::array<EffectTerm<Real, kDelaySteps>, kMostParts> term_{};
   std::array<Real, kMostParts> coefficient_{};

@@ -195,7 +195,7 @@ std::vector<Stretch> quarter_of(const RecordingSignals& signals) {
   // A piece has to last for what it should show, too: of two seconds at 10 kHz those of 31 ms hid bristles, a
   // resonance and a constant force.
   constexpr std::size_t kFewRows = 20000, kManyRows = 40000;
-  constexpr double kLongS = 4.0;
+  constexpr double kLongS = 8.0;
   if (signals.rows < kFewRows || (signals.rows < kManyRows && signals.duration_s() < kLongS))
     return all_of(signals);
   const std::size_t room = signals.rows / kStretches;
