@@ -55,7 +55,7 @@ class MotionInParts {
  public:
   /// `braking_per_s` > 0: viscous friction over mass.
   MotionInParts(Real braking_per_s, Real step_s)
-      : few_(parts_of(step_s) / kFewer, step_s, braking_per_s),
+      : few_(std::max<std::size_t>(parts_of(step_s) / kFewer, 1), step_s, braking_per_s),
         many_(parts_of(step_s), step_s, braking_per_s),
         braking_per_s_(braking_per_s) {}
 
@@ -89,14 +89,14 @@ class MotionInParts {
   [[nodiscard]] static bool is_enough(std::size_t parts, Real first, Real last) {
     constexpr Real kSame = Real(0.002);  // of the friction, by which halves of one part may differ
     const Real change = kSame * static_cast<Real>(parts * parts);
-    return parts > 0 && math::abs(first - last) <= change * math::abs(first);
+    return math::abs(first - last) <= change * math::abs(first);
   }
 
   struct Parts {
     Parts(std::size_t parts, Real step_s, Real braking_per_s)
         : count(parts),
           step(math::exponential_step(math::BasicMatrix2<Real>{Real(0), Real(1), Real(0), -braking_per_s},
-                                      step_s / static_cast<Real>(std::max<std::size_t>(parts, 1)))) {}
+                                      step_s / static_cast<Real>(parts))) {}
     std::size_t count;
     math::BasicExponentialStep2<Real> step;
   };

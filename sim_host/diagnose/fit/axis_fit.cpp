@@ -164,7 +164,7 @@ AxisFit::Trial AxisFit::tried() const {
 }
 
 // One Gauss-Newton step, damped until it helps; false where there is nothing to gain.
-bool AxisFit::improve(Trial& best) {
+bool AxisFit::improve(Trial& best, double in_vain) {
   const Eigen::Index width = best.moments.cols();
   if (width == 0) return false;
   const std::vector<Eigen::Index> active = all_columns(width - 1);
@@ -178,7 +178,7 @@ bool AxisFit::improve(Trial& best) {
   const double promised = best.squares - solution.rss;
   promised_in_vain_ = 0.0;
   if (!(promised > kSettled * unit)) return false;
-  const bool is_in_vain = promised < kAsMuch * best.in_vain;
+  const bool is_in_vain = promised < kAsMuch * in_vain;
   const std::size_t last = is_in_vain ? best.damping + 1 : kDampings.size();
   const GapModel start = model_;
   for (; best.damping < last; ++best.damping) {
@@ -191,7 +191,6 @@ bool AxisFit::improve(Trial& best) {
     // Where the linearisation held, the next step may be bolder.
     const bool has_held = gained > 0.5 * promised;
     trial.damping = has_held && best.damping > 0 ? best.damping - 1 : best.damping;
-    trial.in_vain = best.in_vain;
     best = std::move(trial);
     return gained > std::max(kSettled * unit, kCrawl * promised);
   }
@@ -274,8 +273,7 @@ void AxisFit::expect_noise(double share) {
 
 void AxisFit::refit(double in_vain) {
   Trial best = tried();
-  best.in_vain = in_vain;
-  for (int i = 0; i < kMostImprovements && improve(best); ++i) {
+  for (int i = 0; i < kMostImprovements && improve(best, in_vain); ++i) {
   }
   take_rest(best.statistics);
 }

@@ -177,7 +177,6 @@ class AxisFit {
     double squares = 0.0;     ///< of the innovations and of the prior
     double cost = 0.0;        ///< that is to become smaller
     std::size_t damping = 0;  ///< that the next step begins with
-    double in_vain = 0.0;     ///< promise that no step keeps
   };
   /// What the parts of an effect of the model are multiplied by, 1 where the shape is the size, and how well
   /// they are known.
@@ -203,7 +202,7 @@ class AxisFit {
   }
   void take_turns(int most_rounds, double rival);
   [[nodiscard]] bool is_hopeless_beside(double rival) const;
-  bool improve(Trial& best);
+  bool improve(Trial& best, double in_vain = 0.0);
   void follow_bend(const Trial& best, Trial& trial);
   [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments,
                                         const std::vector<Eigen::Index>& active, double damping) const;

@@ -94,6 +94,8 @@ bool search_size(AxisFit& trial) {
   return take_likelier(trial, std::array{2.5F, 1.6F, 0.6F, 1.2F, 0.9F}, resize);
 }
 
+/// Searches for the width of a fitted friction, up to a share of what was seen, and for its size. Was there a
+/// likelier one?
 bool search_friction(AxisFit& trial, float seen, float widest_share) {
   const auto reshape = [seen, widest_share](gap::AppliedEffect& effect, float factor) {
     effect.form.shape *= factor;
