@@ -104,7 +104,7 @@ class MotionInParts {
   /// Over several milliseconds an input is a mean of what moved the axis, and does not tell when it turned;
   /// of a real axis, a ball screw seen at 200 Hz, a sharp turn at the wrong time left 3 N of presliding.
   static std::size_t parts_of(Real step_s) {
-    constexpr Real kPartS = Real(6.25e-5), kMost = Real(16), kTellsTurnsS = Real(4.0e-3);
+    constexpr Real kPartS = Real(6.25e-5), kMost = Real(32), kTellsTurnsS = Real(4.0e-3);
     if (step_s > kTellsTurnsS) return 1;
     return static_cast<std::size_t>(std::clamp(step_s / kPartS, Real(1), kMost));
   }

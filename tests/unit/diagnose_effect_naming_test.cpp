@@ -8,6 +8,7 @@
 
 #include "lib/gap/effect_catalogue.hpp"
 #include "lib/gap/effect_size.hpp"
+#include "sim_host/diagnose/outcome/axis_outcome.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
@@ -106,7 +107,8 @@ TEST(Causes, ALittleFrictionAtRestIsTheShapeOfFriction) {
   EXPECT_EQ(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, -0.6), 0U);
   EXPECT_FALSE(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedStribeckFriction, 2.0));
   EXPECT_EQ(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedPresliding, 0.2), 0U);
-  EXPECT_FALSE(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedPresliding, 2.0));
+  EXPECT_EQ(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedPresliding, 2.9), 0U);
+  EXPECT_FALSE(shaped_by_second(Effect::kFeedCoulombFriction, 5.0, Effect::kFeedPresliding, 3.1));
   EXPECT_FALSE(shaped_by_second(Effect::kFeedAsymmetricFriction, 5.0, Effect::kFeedForceOffset, 0.3));
 }
 
@@ -212,6 +214,31 @@ TEST_F(Naming, DoubtsTwoThatMayBeOne) {
   EXPECT_NEAR(confidence(false, false), 0.98, 1.0e-6);
   EXPECT_NEAR(confidence(true, true), 0.7 * 0.98, 1.0e-6);
   EXPECT_NEAR(confidence(true, false), 0.25 * 0.98, 1.0e-6);
+}
+
+// What the shape of a lag left was a force of 0.009 N on an axis of 6 kN, at 98 %.
+TEST_F(Naming, DoubtsWhatIsWorthLittleOfTheStrongest) {
+  const Finding finding = finding_of({{Effect::kFeedSpring, 4000.0}});
+  const auto confidence = [&](double share) {
+    return named_effect(finding, fit, {.threshold = 40.0, .is_strongest = false, .share = share}).confidence;
+  };
+  EXPECT_NEAR(confidence(0.12), 0.98, 1.0e-6);
+  EXPECT_NEAR(confidence(0.08), 0.2 * 0.98, 1.0e-6);
+}
+
+// The parts of a friction are one cause, whatever one of them is worth by itself.
+TEST(Causes, ArePartsOfOneOrHaveAShareOfTheStrongest) {
+  const RecordingSignals signals;
+  const AxisFit fit{Axis::kFeed, signals, {}};
+  const auto share_beside = [&](Effect strongest) {
+    AxisOutcome outcome{.diagnosis = {.fit = fit, .nominal = fit}};
+    outcome.diagnosis.found = {found_as(strongest, 5.0), found_as(Effect::kFeedForceOffset, 4.0)};
+    outcome.diagnosis.found[0].evidence = 4000.0;
+    outcome.diagnosis.found[1].evidence = 100.0;
+    return outcome.context_of(outcome.diagnosis.found[1], 0.0).share;
+  };
+  EXPECT_DOUBLE_EQ(share_beside(Effect::kFeedSpring), 0.025);
+  EXPECT_DOUBLE_EQ(share_beside(Effect::kFeedCoulombFriction), 1.0);
 }
 
 /// Evidence of four standard errors and more is a size that may be any.

@@ -23,7 +23,35 @@ struct Window {
   Eigen::MatrixXd rows;
 };
 
-std::vector<Window> windows_of(const BalanceIncrements& balance, const RecordingSignals& signals) {
+/// Does the spindle stand in the cut? What holds it changes its side within the noise of its speed, so that
+/// the speed that is measured does not tell the torque.
+class StandingInCut {
+ public:
+  StandingInCut(gap::Balance balance, const AxisFit& fit)
+      : speed_(fit.signals().value[index_of(Channel::kSpindleSpeed)]) {
+    constexpr double kFewSides = 3.0;
+    constexpr double kTellsSide = 0.1;
+    const double side_rad_s = fit.model().machine.contact.speed_scale_rad_s;
+    const bool is_told = std::sqrt(fit.model().noise.speed_variance) < kTellsSide * side_rad_s;
+    if (balance == gap::Balance::kSpindleTorque && !is_told) slow_rad_s_ = kFewSides * side_rad_s;
+  }
+  bool operator()(const Window& window) const {
+    if (!window.in_contact || !(slow_rad_s_ > 0.0) || speed_.size() < window.first + kWindowLength)
+      return false;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < kWindowLength; ++i)
+      sum += std::fabs(static_cast<double>(speed_[window.first + i]));
+    return sum < slow_rad_s_ * static_cast<double>(kWindowLength);
+  }
+
+ private:
+  const std::vector<float>& speed_;
+  double slow_rad_s_ = 0.0;  ///< 0: it is told
+};
+
+std::vector<Window> windows_of(const BalanceIncrements& balance, const AxisFit& fit) {
+  const RecordingSignals& signals = fit.signals();
+  const StandingInCut stands_in_cut(balance.balance, fit);
   const Eigen::MatrixXf& phi = test_functions();
   const auto length = static_cast<Eigen::Index>(kWindowLength);
   const double piece_s = std::min(kPieceS, signals.duration_s() / kFewestPieces);
@@ -38,7 +66,7 @@ std::vector<Window> windows_of(const BalanceIncrements& balance, const Recording
     const std::size_t middle = window.first + kWindowLength / 2;
     window.in_contact = middle < contact.size() && contact[middle] > 0.0F;
     window.piece = static_cast<std::size_t>(signals.time_s(middle) / piece_s);
-    windows.push_back(std::move(window));
+    if (!stands_in_cut(window)) windows.push_back(std::move(window));
   }
   return windows;
 }
@@ -173,7 +201,7 @@ std::vector<Window> windows_with_lines(BalanceIncrements balance, const AxisFit&
                                        Coefficients coefficient, const std::vector<LeftLine>& lines) {
   coefficient.tail(1).setConstant(1.0);
   for (const LeftLine& line : lines) add_line(line, fit.signals(), coefficient, balance);
-  return windows_of(balance, fit.signals());
+  return windows_of(balance, fit);
 }
 
 std::vector<LeftLine> lines_of(gap::Balance balance, Axis axis, const Leftover& leftover) {
@@ -185,7 +213,7 @@ std::vector<LeftLine> lines_of(gap::Balance balance, Axis axis, const Leftover& 
 
 BalanceRows rows_of(const BalanceIncrements& balance, const AxisFit& fit, const Leftover* leftover) {
   BalanceRows rows{.balance = balance.balance};
-  std::vector<Window> windows = windows_of(balance, fit.signals());
+  std::vector<Window> windows = windows_of(balance, fit);
   if (windows.size() < 4) return rows;
   const auto all = [](const Window&) { return true; };
   Scales scale;

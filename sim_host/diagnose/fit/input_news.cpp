@@ -87,4 +87,13 @@ InputNews input_news(Axis axis, const RecordingSignals& signals, const GapModel&
   return result;
 }
 
+double answer_of(const InputNews& news, Axis axis, const RecordingSignals& signals, const GapModel& model) {
+  double sum = 0.0;
+  run_observer(axis, signals, model, 0, signals.rows, [&](const Innovation& innovation) {
+    const double change = static_cast<double>(news.change[0][innovation.sensor][innovation.row]);
+    sum += change * innovation.value / innovation.variance;
+  });
+  return sum;
+}
+
 }  // namespace morepro::host

@@ -20,4 +20,9 @@ struct InputNews {
 /// forces before these show them. New is what the input's own past does not predict of it.
 InputNews input_news(Axis axis, const RecordingSignals& signals, const GapModel& model);
 
+/// How much what is new in the input goes with the innovations of its row: more than 0 where it works against
+/// what they show, which is a controller's answer to a state that it sees; less than 0 where it moves the
+/// machine more than its model lets it.
+double answer_of(const InputNews& news, Axis axis, const RecordingSignals& signals, const GapModel& model);
+
 }  // namespace morepro::host

@@ -19,19 +19,16 @@
 namespace morepro::host {
 namespace {
 
-constexpr double kMeansPerS = 2000.0;  // of innovations: a resonance of a machine is slower than these
-constexpr double kLowestHz = 5.0;
-constexpr double kHighestHz = 120.0;
 constexpr double kHighestShare = 0.15;  // of the means' rate
 constexpr double kFrequencyStep = 1.2;
 constexpr Eigen::Index kBatchRows = 256;
 constexpr auto kOldest = static_cast<std::size_t>(kLongMemory.back().last);  // means
 constexpr auto kPastColumns = static_cast<Eigen::Index>(kSensorsPerAxis * kLongMemory.size());
 
-std::vector<double> frequencies_hz(double means_per_s) {
+std::vector<double> frequencies_hz(const RingingBand& band, double means_per_s) {
   std::vector<double> frequencies;
-  const double highest = std::min(kHighestHz, kHighestShare * means_per_s);
-  for (double f = kLowestHz; f < highest; f *= kFrequencyStep) frequencies.push_back(f);
+  const double highest = std::min(band.highest_hz, kHighestShare * means_per_s);
+  for (double f = band.lowest_hz; f < highest; f *= kFrequencyStep) frequencies.push_back(f);
   return frequencies;
 }
 
@@ -45,11 +42,11 @@ std::array<Channel, 2> drives_of(const RecordingSignals& signals) {
 /// knows more of the state than the sensors tells of it by its force, which lags take: they do not ring.
 class RingingMoments {
  public:
-  explicit RingingMoments(const AxisFit& fit)
+  RingingMoments(const AxisFit& fit, const RingingBand& band)
       : fit_(&fit),
         rows_per_mean_(
-            std::max<std::size_t>(1, static_cast<std::size_t>(fit.signals().rate_hz / kMeansPerS))),
-        frequencies_(frequencies_hz(means_per_s())) {
+            std::max<std::size_t>(1, static_cast<std::size_t>(fit.signals().rate_hz / band.means_per_s))),
+        frequencies_(frequencies_hz(band, means_per_s())) {
     for (const Channel channel : drives_of(fit.signals()))
       drives_.emplace_back(fit.signals().value[index_of(channel)], fit.signals().rate_hz, rows_per_mean_,
                            frequencies_);
@@ -167,8 +164,8 @@ class RingingMoments {
 
 }  // namespace
 
-Ringing ringing_of(const AxisFit& fit) {
-  RingingMoments moments(fit);
+Ringing ringing_of(const AxisFit& fit, const RingingBand& band) {
+  RingingMoments moments(fit, band);
   run_observer(fit.axis(), fit.signals(), fit.model(), 0, fit.signals().rows,
                [&moments](const Innovation& innovation) { moments.take(innovation); });
   const Eigen::VectorXd taken = moments.deviances(0) + moments.deviances(1);

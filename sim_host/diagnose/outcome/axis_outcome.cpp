@@ -7,16 +7,15 @@
 #include <vector>
 
 #include "lib/gap/effect_catalogue.hpp"
-#include "sim_host/diagnose/fit/input_news.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/diagnose/fit/nominal_fit.hpp"
 #include "sim_host/diagnose/fit/standstill.hpp"
 #include "sim_host/diagnose/fit/surprises.hpp"
 #include "sim_host/diagnose/fit/white_innovations.hpp"
-#include "sim_host/diagnose/leftover/ringing.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/changed_values.hpp"
 #include "sim_host/diagnose/outcome/name_checks.hpp"
+#include "sim_host/diagnose/outcome/ringing_beyond.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -194,32 +193,14 @@ void keep_surprises(AxisOutcome& outcome) {
     outcome.keep_without_name(surprises.deviance);
 }
 
-/// A controller that sees the machine's state itself answers to random forces before the sensors show them,
-/// so that its force, and what that sets swinging, predicts them. Then what is new in the force predicts as
-/// much (0.98 of it and more; behind swinging parts 0.45 at most).
-bool is_told_by_input(const AxisFit& fit, double deviance_without, double ringing_deviance) {
-  constexpr double kMoreThanNews = 1.5;
-  const InputNews news = input_news(fit.axis(), fit.signals(), fit.model());
-  AxisFit told = fit;
-  const double of_news = deviance_without - told.refit_beside_lasting_noise(Memory::kLong, &news);
-  return ringing_deviance < kMoreThanNews * of_news;
-}
-
 /// What rings behind the motion is random forces to an observer: nothing is left, and nobody sees a gap. Of
 /// the spindle, whose shaft may have a name, it tells less: a supply's ripple in closed loop left 242 there.
 void keep_ringing(AxisOutcome& outcome) {
-  // Random forces that a controller sees left up to 0.008, swinging parts 0.016 and more.
-  constexpr double kLeastPerMean = 0.012;
-  const double unnamed = outcome.unnamed_deviance();
-  const auto is_enough = [unnamed](const Ringing& ringing) {
-    return ringing.deviance > std::max({kLeastUnnamed, kLeastPerMean * ringing.means, unnamed});
-  };
   const AxisFit& fit = outcome.diagnosis.fit;
-  if (fit.axis() != Axis::kFeed || fit.signals().is_thinned || !is_enough(ringing_of(fit))) return;
-  AxisFit unbent = fit;
-  const double deviance = unbent.refit_beside_lasting_noise(Memory::kLong);
-  const Ringing ringing = ringing_of(unbent);
-  if (!is_enough(ringing) || is_told_by_input(fit, deviance, ringing.deviance)) return;
+  if (fit.axis() != Axis::kFeed || fit.signals().is_thinned) return;
+  const double unnamed = outcome.unnamed_deviance();
+  const Ringing ringing = ringing_beyond(unnamed, fit);
+  if (!(ringing.deviance > 0.0)) return;
   if (!(unnamed > 0.0)) outcome.leftover = {};
   outcome.leftover.gain = ringing.deviance;
   outcome.leftover.ringing_hz = ringing.frequency_hz;
@@ -349,19 +330,25 @@ double AxisOutcome::threshold_of(const Finding& finding) const {
   return is_judged_beside_noise ? least_name() : threshold();
 }
 
-bool AxisOutcome::is_strongest(const Finding& finding) const {
-  return std::none_of(diagnosis.found.begin(), diagnosis.found.end(),
-                      [&finding](const Finding& other) { return other.evidence > finding.evidence; });
+bool AxisOutcome::is_strongest(const Finding& finding) const { return finding.evidence >= most_evidence(); }
+
+double AxisOutcome::most_evidence() const {
+  double most = 0.0;
+  for (const Finding& finding : diagnosis.found) most = std::max(most, finding.evidence);
+  return most;
 }
 
 NamingContext AxisOutcome::context_of(const Finding& finding, double unnamed_share) const {
+  const auto index = static_cast<std::size_t>(&finding - diagnosis.found.data());
+  const bool is_own = is_cause_of_its_own(diagnosis.found, index);
   return {.temperature = chance.temperature,
           .threshold = threshold_of(finding),
           .unnamed_share = unnamed_share,
           .causes = causes_of(diagnosis.found),
           .may_be_one = may_be_one_cause(diagnosis.found),
           .farthest_factor = diagnosis.fit.farthest_factor(),
-          .is_strongest = is_strongest(finding)};
+          .is_strongest = is_strongest(finding),
+          .share = is_own ? finding.evidence / std::max(most_evidence(), kFixedThreshold) : 1.0};
 }
 
 double AxisOutcome::least_function() const { return std::max(diagnosis.least_evidence, chance.quantile99); }
@@ -394,6 +381,11 @@ void conclude(std::span<AxisOutcome> outcomes) {
   for (const AxisOutcome& outcome : outcomes)
     noise_evidence = std::max(noise_evidence, outcome.noise_evidence);
   in_parallel(outcomes.size(), [&](std::size_t i) { conclude(outcomes[i], noise_evidence); });
+}
+
+void forget_what_clock_leaves(const std::vector<SamplingFault>& faults, std::span<AxisOutcome> outcomes) {
+  if (std::ranges::count(faults, gap::Effect::kClockJitter, &SamplingFault::effect) == 0) return;
+  for (AxisOutcome& outcome : outcomes) outcome.leftover = {};
 }
 
 }  // namespace morepro::host

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "sim_host/diagnose/leftover/leftover.hpp"
 #include "sim_host/diagnose/outcome/diagnosis_options.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
 #include "sim_host/diagnose/search/axis_diagnosis.hpp"
 #include "sim_host/diagnose/search/bootstrap.hpp"
+#include "sim_host/diagnose/signals/sampling_checks.hpp"
 
 namespace morepro::host {
 
@@ -32,9 +34,10 @@ struct AxisOutcome {
   /// What this one, which was found, has needed: beside noise that lasts it may have been judged already.
   [[nodiscard]] double threshold_of(const Finding& finding) const;
   [[nodiscard]] bool is_strongest(const Finding& finding) const;
+  [[nodiscard]] double most_evidence() const;
   /// The same for one of the functions without a name, which count together.
   [[nodiscard]] double least_function() const;
-  /// What its name is judged by, where `unnamed_share` of the axis' excess has none.
+  /// What the name of one that was found is judged by, where `unnamed_share` of the axis' excess has none.
   [[nodiscard]] NamingContext context_of(const Finding& finding, double unnamed_share) const;
   /// Deviance that structure without a name needs.
   [[nodiscard]] double least_unnamed() const { return std::max(kLeastUnnamed, noise_evidence); }
@@ -71,5 +74,8 @@ inline double named_deviance_of(std::span<const AxisOutcome> outcomes) {
 /// The last of it, for both axes together. What shakes one of them shakes the other: of nine names that were
 /// worth enough for their own axis's noise only, none was right.
 void conclude(std::span<AxisOutcome> outcomes);
+
+/// A clock that shakes leaves structure of its own in every balance: none without a name is told beside one.
+void forget_what_clock_leaves(const std::vector<SamplingFault>& faults, std::span<AxisOutcome> outcomes);
 
 }  // namespace morepro::host

@@ -74,6 +74,37 @@ bool has_free_factor(const Parts& parts) {
   return parts[0].axis() == Axis::kSpindle && !(parts[0].tells(0) && parts[1].tells(0));
 }
 
+/// Of the ways that an axis goes in a stretch, forwards and backwards, the net one as a share of all: 1 where
+/// it only goes forwards.
+double net_share(const AxisFit& fit, Stretch stretch) {
+  constexpr double kStepS = 0.02;  // of a position, so long that its noise is no way
+  const RecordingSignals& signals = fit.signals();
+  const Channel speed = fit.axis() == Axis::kSpindle ? Channel::kSpindleSpeed : Channel::kFeedSpeed;
+  const bool has_speed = signals.has(speed);
+  const auto& column = signals.value[index_of(has_speed ? speed : Channel::kFeedPosition)];
+  const std::size_t step =
+      has_speed ? 1 : std::max<std::size_t>(1, static_cast<std::size_t>(kStepS * signals.rate_hz));
+  double net = 0.0;
+  double all = 0.0;
+  for (std::size_t i = stretch.first + step; i < std::min(stretch.last, column.size()); i += step) {
+    const double way = static_cast<double>(has_speed ? column[i] : column[i] - column[i - step]);
+    if (!(way == way)) continue;
+    net += way;
+    all += std::fabs(way);
+  }
+  return all > 0.0 ? net / all : 0.0;
+}
+
+/// Does it only go one way before a time, and only the other way after it? Then what depends on the direction
+/// is another machine's as well, and that has names.
+bool turns_for_good(const AxisFit& fit, double time_s) {
+  constexpr double kOneWay = 0.8;
+  const Stretch end = after(fit.signals(), time_s);
+  const double before = net_share(fit, {0, end.first});
+  const double later = net_share(fit, end);
+  return before * later < 0.0 && std::min(std::fabs(before), std::fabs(later)) > kOneWay;
+}
+
 /// The parameters of a part, with friction and inertia as shares of the torque constant.
 std::vector<ParameterResult> for_one_torque_constant(const AxisFit& part) {
   constexpr double kLeastError = 0.004;  // relative: less than that is rounding, of two that all but agree
@@ -129,7 +160,7 @@ std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis, d
   const auto parameters = static_cast<Eigen::Index>(parameter_count(nominal.axis()));
   const LateStart start = best_start(nominal, statistics, 0, parameters);
   const double rows = statistics.total_rows();
-  if (!is_surely_late(start, rows)) return std::nullopt;
+  if (!is_surely_late(start, rows) || turns_for_good(nominal, start.onset_s)) return std::nullopt;
   const double promised = rows * std::log(start.rss_without / start.rss);
   if (promised < kMayBe * diagnosis.named_deviance()) return std::nullopt;
   const double one_machine = unlikeliness_of(with_noise_of_parts(nominal, start.onset_s));

@@ -44,6 +44,10 @@ constexpr double kOneOfMany = 0.15;
 // two other simulators) the stronger name was right in 17, the weaker one in 6.
 constexpr double kStrongerOfTwo = 0.7;
 constexpr double kWeakerOfTwo = 0.25;
+// What is worth little of the strongest name of its axis is what that one's shape leaves: of seven such names
+// (tests/blind, seeds 199 .. 203, and another simulator) none was right.
+constexpr double kLittleShare = 0.1;
+constexpr double kOfLittleShare = 0.2;
 // What a sensor or a flux does that wanders by itself, laws of what was measured follow for a while: of 32
 // names that kept this little beside noise that may last, alone or with one other, 30 were right.
 constexpr double kWandering = 0.9;
@@ -192,6 +196,7 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
   if (context.causes > kUsualCauses)
     effect.confidence *= context.is_strongest ? kStrongestOfMany : kOneOfMany;
   if (context.may_be_one) effect.confidence *= context.is_strongest ? kStrongerOfTwo : kWeakerOfTwo;
+  if (context.share < kLittleShare) effect.confidence *= kOfLittleShare;
   if (finding.kept < kUsuallyKept) effect.confidence *= kWandering;
   if (context.farthest_factor > kFarthestDatasheet) effect.confidence *= kOfAnotherMachine;
   if (!is_sized(finding, fit, context.temperature)) effect.confidence *= kUnsure;

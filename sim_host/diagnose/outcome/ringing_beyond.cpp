@@ -1,0 +1,62 @@
+#include "sim_host/diagnose/outcome/ringing_beyond.hpp"
+
+#include <algorithm>
+
+#include "sim_host/diagnose/fit/input_news.hpp"
+#include "sim_host/diagnose/fit/nominal_fit.hpp"
+#include "sim_host/diagnose/outcome/axis_outcome.hpp"
+
+namespace morepro::host {
+namespace {
+
+// Random forces that a controller sees left up to 0.008 per mean of the innovations, swinging parts 0.016 and
+// more.
+constexpr double kLeastPerMean = 0.012;
+
+bool is_enough(const Ringing& ringing, double unnamed) {
+  return ringing.deviance > std::max({kLeastUnnamed, kLeastPerMean * ringing.means, unnamed});
+}
+
+/// A controller that sees the machine's state itself answers to random forces before the sensors show them,
+/// so that its force, and what that sets swinging, predicts them. A force that moves what it drives more than
+/// all of its mass lets it is no answer: the rest hangs on a spring.
+bool answers(const AxisFit& fit, const InputNews& news) {
+  return answer_of(news, fit.axis(), fit.signals(), fit.model()) > 0.0;
+}
+
+/// Does what is new in the answer predict as much (0.98 of it and more; behind swinging parts 0.45 at most)?
+bool is_told_by(const InputNews& news, const AxisFit& fit, double deviance_without, double ringing_deviance) {
+  constexpr double kMoreThanNews = 1.5;
+  AxisFit told = fit;
+  const double of_news = deviance_without - told.refit_beside_lasting_noise(Memory::kLong, &news);
+  return ringing_deviance < kMoreThanNews * of_news;
+}
+
+Ringing slow_ringing_beyond(double unnamed, const AxisFit& fit) {
+  if (!is_enough(ringing_of(fit), unnamed)) return {};
+  AxisFit unbent = fit;
+  const double deviance = unbent.refit_beside_lasting_noise(Memory::kLong);
+  const Ringing ringing = ringing_of(unbent);
+  if (!is_enough(ringing, unnamed)) return {};
+  const InputNews news = input_news(fit.axis(), fit.signals(), fit.model());
+  const bool is_answer = answers(fit, news) && is_told_by(news, fit, deviance, ringing.deviance);
+  return is_answer ? Ringing{} : ringing;
+}
+
+/// What rings fast hides in random forces, or is left.
+Ringing fast_ringing_beyond(double unnamed, const AxisFit& fit) {
+  if (!needs_random_forces(fit) && leaves_noise(fit)) return {};
+  const Ringing ringing = ringing_of(fit, kFastRinging);
+  if (!is_enough(ringing, unnamed)) return {};
+  return answers(fit, input_news(fit.axis(), fit.signals(), fit.model())) ? Ringing{} : ringing;
+}
+
+}  // namespace
+
+Ringing ringing_beyond(double unnamed, const AxisFit& fit) {
+  const Ringing slow = slow_ringing_beyond(unnamed, fit);
+  const Ringing fast = fast_ringing_beyond(std::max(unnamed, slow.deviance), fit);
+  return fast.deviance > 0.0 ? fast : slow;
+}
+
+}  // namespace morepro::host
