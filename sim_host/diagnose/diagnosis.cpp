@@ -79,8 +79,8 @@ class Diagnosis {
     std::erase_if(faults_, [this](const SamplingFault& fault) {
       return std::ranges::count(options_.excluded, fault.effect) > 0;
     });
-    leave_out_known(machine_.effects, faults_);
     forget_what_clock_leaves(faults_, outcomes_);
+    leave_out_known(machine_.effects, faults_);
     result_.bootstrap_runs = options_.bootstrap_runs;
     judge(outcomes_, faults_, signals_.rows, result_);
     rank();

@@ -74,20 +74,30 @@ TEST(ChangedValues, AreAnotherToolInTheAir) {
                  "from about 1.8 s on: inertia_kgm2 is 1.4 times as large for one torque constant");
 }
 
-// Forwards until some time, and backwards from then on: what depends on the direction is two machines there,
-// and has names. It was "unexplained".
+constexpr double kTurnS = 3.5;
+
+/// Forwards until some time, and backwards from then on.
+double there_and_back_m(double time_s) {
+  return 0.04 * std::min(time_s, 2.0 * kTurnS - time_s) + 2.0e-4 * std::sin(83.0 * time_s);
+}
+
+// What depends on the direction is two machines there, and has names. It was "unexplained".
 TEST(ChangedValues, AreNotTheOtherDirection) {
-  constexpr double kTurnS = 3.5;
   const DrivenAxis axis{
       .brake_at = [](double v) { return (v > 0.0 ? 1.0 : -0.6) * 70.0 * std::pow(std::fabs(v), 0.9); },
-      .wanted_m =
-          [](double time_s) {
-            return 0.04 * std::min(time_s, 2.0 * kTurnS - time_s) + 2.0e-4 * std::sin(83.0 * time_s);
-          }};
+      .wanted_m = there_and_back_m};
   const auto result = diagnosed(record(axis), datasheet(0.1));
   EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
   for (const auto& followed : result.unexplained_follows)
     EXPECT_EQ(followed.signal.find("others from"), std::string::npos) << followed.signal;
+}
+
+// Out empty and back loaded: no mass depends on the direction.
+TEST(ChangedValues, AreAPayloadThatIsBroughtBack) {
+  const DrivenAxis axis{.mass_over_time = [](double time_s) { return time_s < kTurnS ? 1.0 : 1.4; },
+                        .wanted_m = there_and_back_m};
+  const auto result = diagnosed(record(axis), datasheet(0.1));
+  expect_changed(result, gap::Balance::kFeedForce, "from about 3.5 s on: mass_kg is 1.4 times as large");
 }
 
 // Two machines have more values than one effect: what sets in late keeps its name.

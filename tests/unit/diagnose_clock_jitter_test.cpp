@@ -53,6 +53,15 @@ TEST(ClockJitter, LeavesNoStructureBesideALag) {
     EXPECT_LT(balance.residual_ratio_after, 1.2) << gap::name_of(balance.balance);
 }
 
+// A file that knows of the jitter knows what it leaves.
+TEST(ClockJitter, LeavesNoStructureWhereItIsKnown) {
+  MachineDescription machine = datasheet(0.0);
+  machine.effects = {effect(Effect::kClockJitter, 1.0e-4)};
+  const auto result =
+      diagnosed(record({.effects = machine.effects, .duration_s = 6.0, .rate_hz = 2000.0}), machine);
+  EXPECT_EQ(result.verdict, Verdict::kNoGap) << said(result);
+}
+
 // A quarter of an interval: process noise takes nearly all of it, and gives it back with the other sign.
 TEST(ClockJitter, IsNamedWhereProcessNoiseHasTakenIt) {
   constexpr double kLargeS = 25.0e-6;

@@ -29,11 +29,13 @@ class StandingInCut {
  public:
   StandingInCut(gap::Balance balance, const AxisFit& fit)
       : speed_(fit.signals().value[index_of(Channel::kSpindleSpeed)]) {
-    constexpr double kFewSides = 3.0;
+    constexpr double kFew = 3.0;
     constexpr double kTellsSide = 0.1;
     const double side_rad_s = fit.model().machine.contact.speed_scale_rad_s;
-    const bool is_told = std::sqrt(fit.model().noise.speed_variance) < kTellsSide * side_rad_s;
-    if (balance == gap::Balance::kSpindleTorque && !is_told) slow_rad_s_ = kFewSides * side_rad_s;
+    const double noise_rad_s = std::sqrt(fit.model().noise.speed_variance);
+    const bool is_told = noise_rad_s < kTellsSide * side_rad_s;
+    if (balance == gap::Balance::kSpindleTorque && !is_told)
+      slow_rad_s_ = kFew * std::max(side_rad_s, noise_rad_s);
   }
   bool operator()(const Window& window) const {
     if (!window.in_contact || !(slow_rad_s_ > 0.0) || speed_.size() < window.first + kWindowLength)
@@ -49,13 +51,24 @@ class StandingInCut {
   double slow_rad_s_ = 0.0;  ///< 0: it is told
 };
 
+/// Pieces that have windows, counted one after the other: each half of them is fitted to the other.
+void number_pieces(std::vector<Window>& windows) {
+  std::size_t pieces = 0;
+  for (std::size_t i = 0, last = 0; i < windows.size(); ++i) {
+    const std::size_t piece = windows[i].piece;
+    if (i > 0 && piece != last) ++pieces;
+    last = piece;
+    windows[i].piece = pieces;
+  }
+}
+
 std::vector<Window> windows_of(const BalanceIncrements& balance, const AxisFit& fit) {
   const RecordingSignals& signals = fit.signals();
-  const StandingInCut stands_in_cut(balance.balance, fit);
   const Eigen::MatrixXf& phi = test_functions();
   const auto length = static_cast<Eigen::Index>(kWindowLength);
   const double piece_s = std::min(kPieceS, signals.duration_s() / kFewestPieces);
   const auto& contact = signals.value[index_of(Channel::kContact)];
+  const StandingInCut stands_in_cut(balance.balance, fit);
   std::vector<Window> windows;
   for (Eigen::Index first = 0; first + length <= balance.columns.rows(); first += length / 2) {
     const auto part = balance.columns.middleRows(first, length);
@@ -68,6 +81,7 @@ std::vector<Window> windows_of(const BalanceIncrements& balance, const AxisFit& 
     window.piece = static_cast<std::size_t>(signals.time_s(middle) / piece_s);
     if (!stands_in_cut(window)) windows.push_back(std::move(window));
   }
+  number_pieces(windows);
   return windows;
 }
 

@@ -20,9 +20,10 @@ struct InputNews {
 /// forces before these show them. New is what the input's own past does not predict of it.
 InputNews input_news(Axis axis, const RecordingSignals& signals, const GapModel& model);
 
-/// How much what is new in the input goes with the innovations of its row: more than 0 where it works against
-/// what they show, which is a controller's answer to a state that it sees; less than 0 where it moves the
-/// machine more than its model lets it.
+/// Sum over all rows and sensors of what the news of a row change in its innovation (tap 0) times that
+/// innovation, over its variance. More input lets a model expect more motion, so that innovations are less:
+/// the sum is more than 0 where the input works against what innovations show, as a controller's answer to a
+/// state that it sees does, and less than 0 where it moves the machine more than the model lets it.
 double answer_of(const InputNews& news, Axis axis, const RecordingSignals& signals, const GapModel& model);
 
 }  // namespace morepro::host

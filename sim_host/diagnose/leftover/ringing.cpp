@@ -83,6 +83,7 @@ class RingingMoments {
     return taken;
   }
 
+  [[nodiscard]] bool has_frequencies() const { return !frequencies_.empty(); }
   [[nodiscard]] double rows() const { return std::max(sensors_[0].rows, sensors_[1].rows); }
   [[nodiscard]] double frequency_hz(Eigen::Index resonance) const {
     return frequencies_[static_cast<std::size_t>(resonance) % frequencies_.size()];
@@ -166,10 +167,10 @@ class RingingMoments {
 
 Ringing ringing_of(const AxisFit& fit, const RingingBand& band) {
   RingingMoments moments(fit, band);
+  if (!moments.has_frequencies()) return {};
   run_observer(fit.axis(), fit.signals(), fit.model(), 0, fit.signals().rows,
                [&moments](const Innovation& innovation) { moments.take(innovation); });
   const Eigen::VectorXd taken = moments.deviances(0) + moments.deviances(1);
-  if (taken.size() == 0) return {};
   Eigen::Index most = 0;
   const double deviance = taken.maxCoeff(&most);
   return {deviance, moments.rows(), moments.frequency_hz(most)};

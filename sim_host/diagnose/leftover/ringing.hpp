@@ -11,8 +11,8 @@ struct Ringing {
   double frequency_hz = 0.0;  ///< within the band, below 0.15 of the means' rate; 0: none
 };
 
-/// Frequencies at which something is looked for, and how many means of innovations tell it in a second, at
-/// most: one per row.
+/// Frequencies at which something is looked for, and about how many means of innovations tell it in a second;
+/// never more than there are rows.
 struct RingingBand {
   double lowest_hz = 0.0;
   double highest_hz = 0.0;

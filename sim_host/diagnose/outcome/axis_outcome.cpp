@@ -330,25 +330,21 @@ double AxisOutcome::threshold_of(const Finding& finding) const {
   return is_judged_beside_noise ? least_name() : threshold();
 }
 
-bool AxisOutcome::is_strongest(const Finding& finding) const { return finding.evidence >= most_evidence(); }
-
-double AxisOutcome::most_evidence() const {
-  double most = 0.0;
-  for (const Finding& finding : diagnosis.found) most = std::max(most, finding.evidence);
-  return most;
+const Finding& AxisOutcome::strongest() const {
+  return *std::ranges::max_element(diagnosis.found, {}, &Finding::evidence);
 }
 
 NamingContext AxisOutcome::context_of(const Finding& finding, double unnamed_share) const {
-  const auto index = static_cast<std::size_t>(&finding - diagnosis.found.data());
-  const bool is_own = is_cause_of_its_own(diagnosis.found, index);
+  const Finding& most = strongest();
+  const double share = finding.evidence / std::max(most.evidence, kFixedThreshold);
   return {.temperature = chance.temperature,
           .threshold = threshold_of(finding),
           .unnamed_share = unnamed_share,
           .causes = causes_of(diagnosis.found),
           .may_be_one = may_be_one_cause(diagnosis.found),
           .farthest_factor = diagnosis.fit.farthest_factor(),
-          .is_strongest = is_strongest(finding),
-          .share = is_own ? finding.evidence / std::max(most_evidence(), kFixedThreshold) : 1.0};
+          .is_strongest = finding.evidence >= most.evidence,
+          .share = are_of_one_friction(finding, most) ? 1.0 : share};
 }
 
 double AxisOutcome::least_function() const { return std::max(diagnosis.least_evidence, chance.quantile99); }
@@ -385,7 +381,8 @@ void conclude(std::span<AxisOutcome> outcomes) {
 
 void forget_what_clock_leaves(const std::vector<SamplingFault>& faults, std::span<AxisOutcome> outcomes) {
   if (std::ranges::count(faults, gap::Effect::kClockJitter, &SamplingFault::effect) == 0) return;
-  for (AxisOutcome& outcome : outcomes) outcome.leftover = {};
+  for (AxisOutcome& outcome : outcomes)
+    if (!has_changed(outcome) && !rings(outcome)) outcome.leftover = {};
 }
 
 }  // namespace morepro::host

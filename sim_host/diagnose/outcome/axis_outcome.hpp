@@ -33,10 +33,10 @@ struct AxisOutcome {
   [[nodiscard]] double least_name() const;
   /// What this one, which was found, has needed: beside noise that lasts it may have been judged already.
   [[nodiscard]] double threshold_of(const Finding& finding) const;
-  [[nodiscard]] bool is_strongest(const Finding& finding) const;
-  [[nodiscard]] double most_evidence() const;
   /// The same for one of the functions without a name, which count together.
   [[nodiscard]] double least_function() const;
+  /// That of the most evidence; there has to be one.
+  [[nodiscard]] const Finding& strongest() const;
   /// What the name of one that was found is judged by, where `unnamed_share` of the axis' excess has none.
   [[nodiscard]] NamingContext context_of(const Finding& finding, double unnamed_share) const;
   /// Deviance that structure without a name needs.
@@ -75,7 +75,8 @@ inline double named_deviance_of(std::span<const AxisOutcome> outcomes) {
 /// worth enough for their own axis's noise only, none was right.
 void conclude(std::span<AxisOutcome> outcomes);
 
-/// A clock that shakes leaves structure of its own in every balance: none without a name is told beside one.
+/// A clock that shakes leaves structure of its own in every balance: of what has no name only another machine
+/// from some time on, and what rings, are told beside one.
 void forget_what_clock_leaves(const std::vector<SamplingFault>& faults, std::span<AxisOutcome> outcomes);
 
 }  // namespace morepro::host

@@ -19,8 +19,8 @@ constexpr double kSecondPole = 0.6;
 constexpr double kAsLate = 0.1;
 // Where friction has another shape than the catalogue's a Stribeck part of 0.08 .. 0.18 of it is left.
 constexpr double kOtherShape = 0.25;
-// Or bristles of 0.004 .. 0.13, of one that goes with the arc tangent of the speed 0.27 .. 0.58; the sum was
-// 0.81 .. 0.98 of it there, without them 0.52 .. 0.77.
+// Or bristles of 0.004 .. 0.13, of one that goes with the arc tangent of the speed 0.27 .. 0.58: there
+// both together were 0.81 .. 0.98 of the friction that there was, without them 0.52 .. 0.77.
 constexpr double kBristles = 0.6;
 // Two Stribeck frictions of tests/blind that lasted longer than the catalogue's left Coulomb friction of 0.31
 // and 0.32.
@@ -151,6 +151,10 @@ bool may_be_one_cause(std::span<const Finding> found) {
   if (brakes == 1) return false;
   const auto [weaker, stronger] = std::minmax_element(evidence.begin(), evidence.end());
   return evidence.size() == 2 && *weaker < kWeak * *stronger;
+}
+
+bool are_of_one_friction(const Finding& one, const Finding& other) {
+  return is_part_of_friction(one.effect.form.effect) && is_part_of_friction(other.effect.form.effect);
 }
 
 bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index) {

@@ -19,6 +19,9 @@ bool may_be_one_cause(std::span<const Finding> found);
 /// Is this one of them, without other parts?
 bool is_cause_of_its_own(std::span<const Finding> found, std::size_t index);
 
+/// Are both, of one axis, parts of its friction?
+bool are_of_one_friction(const Finding& one, const Finding& other);
+
 /// The larger one whose shape this one is: a delay beside the lag of the same signal, which has more than one
 /// pole then; beside a drive's lag one that both sensors have; friction that is a little stronger at rest, or
 /// lasts a little longer at speed; a little force beside friction that depends on the direction, which goes

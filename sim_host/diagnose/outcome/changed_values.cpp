@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -88,7 +89,7 @@ double net_share(const AxisFit& fit, Stretch stretch) {
   double all = 0.0;
   for (std::size_t i = stretch.first + step; i < std::min(stretch.last, column.size()); i += step) {
     const double way = static_cast<double>(has_speed ? column[i] : column[i] - column[i - step]);
-    if (!(way == way)) continue;
+    if (std::isnan(way)) continue;
     net += way;
     all += std::fabs(way);
   }
@@ -96,7 +97,7 @@ double net_share(const AxisFit& fit, Stretch stretch) {
 }
 
 /// Does it only go one way before a time, and only the other way after it? Then what depends on the direction
-/// is another machine's as well, and that has names.
+/// is another machine's as well.
 bool turns_for_good(const AxisFit& fit, double time_s) {
   constexpr double kOneWay = 0.8;
   const Stretch end = after(fit.signals(), time_s);
@@ -123,7 +124,13 @@ std::vector<ParameterResult> for_one_torque_constant(const AxisFit& part) {
   return values;
 }
 
-/// Values that both parts tell, and tell apart. Are there any?
+/// Friction and loads may depend on the direction, nothing else does.
+bool may_depend_on_direction(std::string_view value) {
+  return value.find("friction") != std::string_view::npos || value.find("contact") != std::string_view::npos;
+}
+
+/// Values that both parts tell, and tell apart, and more than what depends on a direction that only one of
+/// them has. Are there any?
 bool tell_values(const Parts& parts, ChangedValues& changed) {
   constexpr double kSurely = 5.0;  // standard errors
   constexpr double kNoticeably = 0.02;
@@ -132,6 +139,7 @@ bool tell_values(const Parts& parts, ChangedValues& changed) {
   const auto after = has_factor ? for_one_torque_constant(parts[1]) : parameters_of(parts[1]);
   std::vector<std::string> told;
   double torques = 0.0;
+  bool may_be_direction = turns_for_good(parts[0], changed.time_s);
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double change = std::fabs(after[i].refit - before[i].refit);
     const double error = std::hypot(before[i].standard_error, after[i].standard_error);
@@ -142,8 +150,9 @@ bool tell_values(const Parts& parts, ChangedValues& changed) {
                                after[i].refit / before[i].refit,
                                has_factor && is_torque ? " for one torque constant" : ""));
     torques += is_torque ? 1.0 : 0.0;
+    may_be_direction = may_be_direction && may_depend_on_direction(before[i].name);
   }
-  if (told.empty()) return false;
+  if (told.empty() || may_be_direction) return false;
   changed.torque_share = torques / static_cast<double>(told.size());
   changed.words = fmt::format("the machine's values, which are others from about {:.4g} s on: {}",
                               changed.time_s, fmt::join(told, ", "));
@@ -160,7 +169,7 @@ std::optional<ChangedValues> changed_values_of(const AxisDiagnosis& diagnosis, d
   const auto parameters = static_cast<Eigen::Index>(parameter_count(nominal.axis()));
   const LateStart start = best_start(nominal, statistics, 0, parameters);
   const double rows = statistics.total_rows();
-  if (!is_surely_late(start, rows) || turns_for_good(nominal, start.onset_s)) return std::nullopt;
+  if (!is_surely_late(start, rows)) return std::nullopt;
   const double promised = rows * std::log(start.rss_without / start.rss);
   if (promised < kMayBe * diagnosis.named_deviance()) return std::nullopt;
   const double one_machine = unlikeliness_of(with_noise_of_parts(nominal, start.onset_s));

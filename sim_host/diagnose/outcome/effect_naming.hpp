@@ -34,7 +34,7 @@ struct NamingContext {
   bool may_be_one = false;       ///< as may_be_one_cause() tells
   double farthest_factor = 1.0;  ///< of a value that is told from the datasheet's, as in AxisFit
   bool is_strongest = true;      ///< no other name of the axis has more evidence
-  /// Evidence, as a share of the strongest one's, of what is no part of the same cause.
+  /// Evidence, as a share of the strongest one's; 1 for parts of one friction.
   double share = 1.0;
 };
 
