@@ -336,15 +336,16 @@ const Finding& AxisOutcome::strongest() const {
 
 NamingContext AxisOutcome::context_of(const Finding& finding, double unnamed_share) const {
   const Finding& most = strongest();
-  const double share = finding.evidence / std::max(most.evidence, kFixedThreshold);
+  const bool is_strongest = finding.evidence >= most.evidence;
+  const bool is_whole = is_strongest || are_of_one_friction(finding, most);
   return {.temperature = chance.temperature,
           .threshold = threshold_of(finding),
           .unnamed_share = unnamed_share,
           .causes = causes_of(diagnosis.found),
           .may_be_one = may_be_one_cause(diagnosis.found),
           .farthest_factor = diagnosis.fit.farthest_factor(),
-          .is_strongest = finding.evidence >= most.evidence,
-          .share = are_of_one_friction(finding, most) ? 1.0 : share};
+          .is_strongest = is_strongest,
+          .share = is_whole ? 1.0 : finding.evidence / most.evidence};
 }
 
 double AxisOutcome::least_function() const { return std::max(diagnosis.least_evidence, chance.quantile99); }
