@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
+#include "sim_host/diagnose/outcome/axis_outcome.hpp"
 #include "sim_host/simulate/simulated_machine.hpp"
 #include "tests/unit/driven_spindle.hpp"
 
@@ -51,6 +53,22 @@ TEST(ClockJitter, LeavesNoStructureBesideALag) {
   EXPECT_EQ(result.which.front().effect, Effect::kClockJitter);
   for (const BalanceResult& balance : result.where)
     EXPECT_LT(balance.residual_ratio_after, 1.2) << gap::name_of(balance.balance);
+}
+
+// What it leaves is no structure; another machine from some time on, and what rings, are none of it.
+TEST(ClockJitter, HidesNoOtherMachine) {
+  const RecordingSignals signals;
+  const AxisFit fit{Axis::kFeed, signals, {}};
+  std::vector<AxisOutcome> outcomes(3, AxisOutcome{.diagnosis = {.fit = fit, .nominal = fit}});
+  for (AxisOutcome& outcome : outcomes) outcome.leftover.gain = 1000.0;
+  outcomes[1].leftover.changed_values = "the machine's values";
+  outcomes[2].leftover.ringing_hz = 40.0;
+  forget_what_clock_leaves({{.effect = Effect::kSampleDropout}}, outcomes);
+  EXPECT_EQ(outcomes[0].leftover.gain, 1000.0) << "its clock does not shake";
+  forget_what_clock_leaves({{.effect = Effect::kClockJitter}}, outcomes);
+  EXPECT_EQ(outcomes[0].leftover.gain, 0.0);
+  EXPECT_EQ(outcomes[1].leftover.gain, 1000.0);
+  EXPECT_EQ(outcomes[2].leftover.gain, 1000.0);
 }
 
 // A file that knows of the jitter knows what it leaves.
