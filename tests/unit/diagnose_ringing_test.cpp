@@ -100,7 +100,7 @@ TEST(Ringing, IsNotInRandomForces) {
 }
 
 // Nor is the answer of a controller that sees the state: slow resonances took 0.3 per mean of such
-// recordings, fast ones 0.017, and 0.012 are needed.
+// recordings, fast ones 0.017: more than the elastic ends of a play do.
 TEST(Ringing, IsNotAnAnswer) {
   for (const double rate_hz : {1000.0, 5000.0})
     for (const double force_n : {3.0, 10.0, 30.0}) {
