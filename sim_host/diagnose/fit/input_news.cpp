@@ -81,19 +81,12 @@ InputNews input_news(Axis axis, const RecordingSignals& signals, const GapModel&
       again.value[index_of(channel)][row] = input[row] + news[row - tap];
     run_observer(axis, again, model, 0, signals.rows, [&](const Innovation& innovation) {
       const auto& [row, sensor] = std::pair(innovation.row, innovation.sensor);
-      result.change[tap][sensor][row] = static_cast<float>(innovation.value - usual[sensor][row]);
+      const double change = innovation.value - usual[sensor][row];
+      result.change[tap][sensor][row] = static_cast<float>(change);
+      if (tap == 0) result.answer += change * usual[sensor][row] / innovation.variance;
     });
   }
   return result;
-}
-
-double answer_of(const InputNews& news, Axis axis, const RecordingSignals& signals, const GapModel& model) {
-  double sum = 0.0;
-  run_observer(axis, signals, model, 0, signals.rows, [&](const Innovation& innovation) {
-    const double change = static_cast<double>(news.change[0][innovation.sensor][innovation.row]);
-    sum += change * innovation.value / innovation.variance;
-  });
-  return sum;
 }
 
 }  // namespace morepro::host

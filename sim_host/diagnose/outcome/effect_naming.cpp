@@ -140,9 +140,8 @@ double price_of_parts(const Finding& finding, const Candidate& rival, const Axis
 /// How likely a rival is that does as well.
 double odds_of_equal(Effect named, Effect rival) {
   const auto is_pair = [=](const Plainer& pair) { return pair.plain == named && pair.fine == rival; };
-  const bool is_finer_friction = family_of(rival) == Family::kDryFriction &&
-                                 family_of(named) == Family::kDryFriction &&
-                                 std::ranges::any_of(kPlainer, is_pair);
+  const bool is_finer_friction =
+      family_of(rival) == Family::kDryFriction && std::ranges::any_of(kPlainer, is_pair);
   return is_finer_friction ? kOfFinerFriction : 1.0;
 }
 

@@ -22,9 +22,7 @@ bool is_enough(const Ringing& ringing, double per_mean, double unnamed) {
 /// A controller that sees the machine's state itself answers to random forces before the sensors show them,
 /// so that its force, and what that sets swinging, predicts them. A force that moves what it drives more than
 /// all of its mass lets it is no answer: the rest hangs on a spring.
-bool answers(const AxisFit& fit, const InputNews& news) {
-  return answer_of(news, fit.axis(), fit.signals(), fit.model()) > 0.0;
-}
+bool answers(const InputNews& news) { return news.answer > 0.0; }
 
 /// Does what is new in the answer predict as much (0.98 of it and more; behind swinging parts 0.45 at most)?
 bool is_told_by(const InputNews& news, const AxisFit& fit, double deviance_without, double ringing_deviance) {
@@ -42,7 +40,7 @@ Ringing slow_ringing_beyond(double unnamed, const AxisFit& fit) {
   if (!is_enough(ringing, kLeastPerMean, unnamed)) return {};
   const InputNews news = input_news(fit.axis(), fit.signals(), fit.model());
   if (!is_told_by(news, fit, deviance, ringing.deviance)) return ringing;
-  return is_enough(ringing, kLeastBySign, unnamed) && !answers(fit, news) ? ringing : Ringing{};
+  return is_enough(ringing, kLeastBySign, unnamed) && !answers(news) ? ringing : Ringing{};
 }
 
 /// What rings fast hides in random forces, or is left.
@@ -50,7 +48,7 @@ Ringing fast_ringing_beyond(double unnamed, const AxisFit& fit) {
   if (!needs_random_forces(fit) && leaves_noise(fit)) return {};
   const Ringing ringing = ringing_of(fit, kFastRinging);
   if (!is_enough(ringing, kLeastBySign, unnamed)) return {};
-  return answers(fit, input_news(fit.axis(), fit.signals(), fit.model())) ? Ringing{} : ringing;
+  return answers(input_news(fit.axis(), fit.signals(), fit.model())) ? Ringing{} : ringing;
 }
 
 }  // namespace
