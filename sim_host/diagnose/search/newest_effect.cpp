@@ -94,6 +94,25 @@ bool search_size(AxisFit& trial) {
   return take_likelier(trial, std::array{2.5F, 1.6F, 0.6F, 1.2F, 0.9F}, resize);
 }
 
+/// Takes the shape of the newest effect at which a parabola through what three of them are worth has its
+/// vertex: its own, and one on each side, as far as `spread`, a share of it. Is it another one?
+bool take_vertex(AxisFit& trial, double spread) {
+  const auto at = [&trial](double share) {
+    AxisFit other = trial;
+    other.change_model().effects.back().form.shape *= static_cast<float>(1.0 + share);
+    other.refit(trial.promised_in_vain());
+    return other;
+  };
+  const double own = trial.unlikeliness();
+  const double narrower = at(-spread).unlikeliness(), wider = at(spread).unlikeliness();
+  const double bend = narrower + wider - 2.0 * own;
+  if (!(bend > 0.0)) return false;
+  AxisFit other = at(std::clamp(0.5 * (narrower - wider) / bend, -1.0, 1.0) * spread);
+  if (!(other.unlikeliness() < own - kSharper)) return false;
+  trial = std::move(other);
+  return true;
+}
+
 /// Searches for the width of a fitted friction, up to a share of what was seen, and for its size. Was there a
 /// likelier one?
 bool search_friction(AxisFit& trial, float seen, float widest_share) {
@@ -101,8 +120,9 @@ bool search_friction(AxisFit& trial, float seen, float widest_share) {
     effect.form.shape *= factor;
     return effect.form.shape >= kNarrowest * seen && effect.form.shape <= widest_share * seen;
   };
-  const bool has_shape =
+  bool has_shape =
       take_likelier(trial, std::array{0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}, reshape);
+  for (const double spread : {0.03, 0.01}) has_shape |= take_vertex(trial, spread);
   return search_size(trial) || has_shape;
 }
 
