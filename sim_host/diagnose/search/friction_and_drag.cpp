@@ -14,14 +14,21 @@ using gap::Effect;
 
 constexpr std::array kWidths{0.002F, 0.01F};  // of the reference speed: there friction changes its side
 
-AxisFit with(const AxisFit& fit, const gap::EffectForm& form, double evidence) {
-  return try_effect(fit, {.form = form, .column = 0, .evidence = evidence, .coefficient = {}}, {}, true).fit;
+/// The curve that something else is laid beside.
+struct Curve {
+  double evidence;
+  AxisFit::Rival far_behind;  ///< where nothing that is tried comes near it any more
+};
+
+AxisFit with(const AxisFit& fit, const gap::EffectForm& form, const Curve& curve) {
+  const Candidate candidate{.form = form, .column = 0, .evidence = curve.evidence, .coefficient = {}};
+  return try_effect(fit, candidate, curve.far_behind, true).fit;
 }
 
-AxisFit with_friction(const AxisFit& fit, double evidence) {
+AxisFit with_friction(const AxisFit& fit, const Curve& curve) {
   std::array<AxisFit, kWidths.size()> fits{fit, fit};
   in_parallel(fits.size(), [&](std::size_t i) {
-    fits[i] = with(fit, {.effect = Effect::kSpindleCoulombFriction, .shape = kWidths[i]}, evidence);
+    fits[i] = with(fit, {.effect = Effect::kSpindleCoulombFriction, .shape = kWidths[i]}, curve);
   });
   return *std::ranges::min_element(fits, {}, &AxisFit::unlikeliness);
 }
@@ -49,15 +56,16 @@ bool has_size(const AxisFit& fit, Effect effect) {
 // beside drag costs more than the two do, which then need a viscous friction of nothing.
 std::optional<AxisFit> friction_and_drag_instead(const AxisDiagnosis& diagnosis, std::size_t index,
                                                  bool may_drag) {
-  constexpr double kNearlyAsLikely = 0.1;
+  constexpr double kNearlyAsLikely = 0.1, kFarBehind = 0.3;
   const AxisFit& curve = diagnosis.fit;
   const double evidence = diagnosis.found[index].evidence;
+  const Curve rival{evidence, {.everywhere = curve.unlikeliness() + kFarBehind * evidence}};
   AxisFit without = curve;
   auto& effects = without.change_model().effects;
   effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(index));
-  AxisFit plain = may_drag ? with(without, {.effect = Effect::kSpindleWindage}, evidence) : without;
-  plain = with_friction(plain, evidence);
-  if (may_drag && !has_size(plain, Effect::kSpindleWindage)) plain = with_friction(without, evidence);
+  AxisFit plain = may_drag ? with(without, {.effect = Effect::kSpindleWindage}, {evidence, {}}) : without;
+  plain = with_friction(plain, rival);
+  if (may_drag && !has_size(plain, Effect::kSpindleWindage)) plain = with_friction(without, rival);
   const bool is_nearer = viscous_deviation(plain) < viscous_deviation(curve);
   if (!is_nearer || !(cost_of(plain) - cost_of(curve) < kNearlyAsLikely * evidence)) return std::nullopt;
   if (!has_size(plain, Effect::kSpindleCoulombFriction)) return std::nullopt;
