@@ -13,7 +13,7 @@
 namespace morepro::gap::laws {
 
 inline constexpr std::uint8_t kUnnamedSpindleLaws = 26;
-inline constexpr std::uint8_t kUnnamedFeedLaws = 24;
+inline constexpr std::uint8_t kUnnamedFeedLaws = 32;
 inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis
 
 template <class Real>
@@ -129,16 +129,16 @@ template <class Real>
       return w;
     case 15:  // a force over the place: a mass that is not the same everywhere
       return x * f;
-    default:
-      return bell(x, static_cast<int>(law) - 16);
+    default:  // a force in one place, or a guide that is tight there
+      return law < 16 + kUnnamedPlaces ? bell(x, law - 16)
+                                       : bell(x, law - 16 - kUnnamedPlaces) * math::tanh(Real(10) * v);
   }
 }
 
 /// Every one of them at one instant: together they cost little more than a few by themselves.
 template <class Real>
 struct UnnamedValues {
-  std::array<Real, kUnnamedSpindleLaws> value{};
-  static_assert(kUnnamedFeedLaws <= kUnnamedSpindleLaws);
+  std::array<Real, std::max(kUnnamedSpindleLaws, kUnnamedFeedLaws)> value{};
 
   void follow_spindle(const EffectSignals<Real>& s, const EffectScales<Real>& k) {
     [&]<std::uint8_t... law>(std::integer_sequence<std::uint8_t, law...>) {

@@ -24,6 +24,7 @@
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/detection_limits.hpp"
 #include "sim_host/diagnose/outcome/effect_naming.hpp"
+#include "sim_host/diagnose/outcome/shaking_clock.hpp"
 #include "sim_host/diagnose/outcome/shape_doubt.hpp"
 #include "sim_host/diagnose/outcome/unnamed_where.hpp"
 #include "sim_host/diagnose/outcome/verdict.hpp"
@@ -186,8 +187,7 @@ class Diagnosis {
 
   void look_for_jitter() {
     const auto [jitter, of_law, fit, sensor] = find_shaking(fits());
-    constexpr double kLeastShare = 0.05;  // of the evidence that is named
-    if (jitter && jitter->evidence >= kLeastShare * named_deviance_of(outcomes_)) faults_.push_back(*jitter);
+    if (jitter && is_worth_its_name(*jitter, outcomes_)) faults_.push_back(*jitter);
     if (of_law > 0.0) outcomes_[fit].keep_without_name(of_law, sensor == 0 ? 1.0 : 0.0);
   }
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "sim_host/diagnose/outcome/axis_outcome.hpp"
+#include "sim_host/diagnose/outcome/shaking_clock.hpp"
 #include "sim_host/simulate/simulated_machine.hpp"
 #include "tests/unit/driven_spindle.hpp"
 
@@ -69,6 +69,20 @@ TEST(ClockJitter, HidesNoOtherMachine) {
   EXPECT_EQ(outcomes[0].leftover.gain, 0.0);
   EXPECT_EQ(outcomes[1].leftover.gain, 1000.0);
   EXPECT_EQ(outcomes[2].leftover.gain, 1000.0);
+}
+
+// What a law without a name leaves of a sensor's neighbours looks like a hair of jitter: 0.8 us of 500.
+TEST(ClockJitter, IsNoNameBesideMuchMoreStructureThanItLeaves) {
+  const RecordingSignals signals;
+  const AxisFit fit{Axis::kFeed, signals, {}};
+  std::vector<AxisOutcome> outcomes(2, AxisOutcome{.diagnosis = {.fit = fit, .nominal = fit}});
+  SamplingFault jitter{.effect = Effect::kClockJitter};
+  jitter.evidence = 100.0;
+  EXPECT_TRUE(is_worth_its_name(jitter, outcomes)) << "nothing else is there";
+  outcomes[1].leftover.gain = 450.0;
+  EXPECT_TRUE(is_worth_its_name(jitter, outcomes)) << "as much as clocks leave that shake";
+  outcomes[1].leftover.gain = 1800.0;
+  EXPECT_FALSE(is_worth_its_name(jitter, outcomes));
 }
 
 // A file that knows of the jitter knows what it leaves.

@@ -2,8 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "tests/unit/diagnose_support.hpp"
+#include "tests/unit/driven_axis.hpp"
 
 namespace morepro::diagnose_test {
 namespace {
@@ -67,6 +68,18 @@ TEST(Screw, KeepsItsNameBesideNoiseThatLasts) {
   EXPECT_EQ(result.verdict, host::Verdict::kEffect) << said(result);
   ASSERT_EQ(result.which.size(), 1U) << said(result);
   EXPECT_NEAR(result.which.front().magnitude, kOnceN, 0.05 * kOnceN);
+}
+
+// A force along the way is none on average, and neither did a straight line follow it.
+TEST(Guide, ThatIsTightInOnePlaceIsUnexplained) {
+  DrivenAxis axis;
+  axis.viscosity_at = [](double place_m) {
+    const double away = (place_m - 0.01) / 0.01;
+    return 1.0 + 0.02 * std::exp(-away * away);
+  };
+  const DiagnosisResult result = diagnosed(record(axis), datasheet(0.0));
+  EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
+  EXPECT_TRUE(result.which.empty()) << said(result);
 }
 
 }  // namespace

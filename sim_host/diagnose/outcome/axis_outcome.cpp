@@ -380,10 +380,4 @@ void conclude(std::span<AxisOutcome> outcomes) {
   in_parallel(outcomes.size(), [&](std::size_t i) { conclude(outcomes[i], noise_evidence); });
 }
 
-void forget_what_clock_leaves(const std::vector<SamplingFault>& faults, std::span<AxisOutcome> outcomes) {
-  if (std::ranges::count(faults, gap::Effect::kClockJitter, &SamplingFault::effect) == 0) return;
-  for (AxisOutcome& outcome : outcomes)
-    if (!has_changed(outcome) && !rings(outcome)) outcome.leftover = {};
-}
-
 }  // namespace morepro::host

@@ -75,8 +75,4 @@ inline double named_deviance_of(std::span<const AxisOutcome> outcomes) {
 /// worth enough for their own axis's noise only, none was right.
 void conclude(std::span<AxisOutcome> outcomes);
 
-/// A clock that shakes leaves structure of its own in every balance: of what has no name only another machine
-/// from some time on, and what rings, are told beside one.
-void forget_what_clock_leaves(const std::vector<SamplingFault>& faults, std::span<AxisOutcome> outcomes);
-
 }  // namespace morepro::host

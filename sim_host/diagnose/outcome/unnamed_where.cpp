@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, gap::laws::kUnnamedSpindleLaws> kOfSpindl
     "contact",
     "the acceleration",
 };
-constexpr std::size_t kBeforePlaces = gap::laws::kUnnamedFeedLaws - gap::laws::kUnnamedPlaces;
+constexpr std::size_t kBeforePlaces = gap::laws::kUnnamedFeedLaws - 2 * gap::laws::kUnnamedPlaces;
 constexpr std::array<std::string_view, kBeforePlaces> kOfFeed{
     "a constant",
     "the feed speed",
@@ -86,8 +86,11 @@ std::string words_for(const gap::EffectForm& form, const gap::EffectScales<doubl
   const std::size_t law = form.kind;
   if (form.effect != gap::Effect::kUnnamedForce) return std::string(kOfSpindle.at(law));
   if (law < kBeforePlaces) return std::string(kOfFeed.at(law));
-  const double place = (static_cast<double>(law - kBeforePlaces) + 0.5) / gap::laws::kUnnamedPlaces;
-  return fmt::format("the place near {:.4g} m", scales.travel_from_m + place * scales.travel_m);
+  const std::size_t bell = law - kBeforePlaces;
+  const double place =
+      (static_cast<double>(bell % gap::laws::kUnnamedPlaces) + 0.5) / gap::laws::kUnnamedPlaces;
+  const std::string_view what = bell < gap::laws::kUnnamedPlaces ? "the place" : "the sign of the feed speed";
+  return fmt::format("{} near {:.4g} m", what, scales.travel_from_m + place * scales.travel_m);
 }
 
 gap::Balance balance_of_spindle(bool acts_on_voltage, const RecordingSignals& signals) {
