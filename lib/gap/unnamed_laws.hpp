@@ -13,8 +13,9 @@
 namespace morepro::gap::laws {
 
 inline constexpr std::uint8_t kUnnamedSpindleLaws = 26;
-inline constexpr std::uint8_t kUnnamedFeedLaws = 32;
-inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis
+inline constexpr std::uint8_t kUnnamedBeforePlaces = 16;  ///< of the feed, that know no single place
+inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis, of two laws each
+inline constexpr std::uint8_t kUnnamedFeedLaws = kUnnamedBeforePlaces + 2 * kUnnamedPlaces;
 
 template <class Real>
 [[gnu::always_inline]] inline Real unnamed_spindle(std::uint8_t law, const EffectSignals<Real>& s,
@@ -129,9 +130,11 @@ template <class Real>
       return w;
     case 15:  // a force over the place: a mass that is not the same everywhere
       return x * f;
-    default:  // a force in one place, or a guide that is tight there
-      return law < 16 + kUnnamedPlaces ? bell(x, law - 16)
-                                       : bell(x, law - 16 - kUnnamedPlaces) * math::tanh(Real(10) * v);
+    default: {  // a force in one place, or a guide that is tight there
+      const int place = law - kUnnamedBeforePlaces;
+      return place < kUnnamedPlaces ? bell(x, place)
+                                    : bell(x, place - kUnnamedPlaces) * math::tanh(Real(10) * v);
+    }
   }
 }
 

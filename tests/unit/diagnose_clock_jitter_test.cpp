@@ -83,6 +83,8 @@ TEST(ClockJitter, IsNoNameBesideMuchMoreStructureThanItLeaves) {
   EXPECT_TRUE(is_worth_its_name(jitter, outcomes)) << "as much as clocks leave that shake";
   outcomes[1].leftover.gain = 1800.0;
   EXPECT_FALSE(is_worth_its_name(jitter, outcomes));
+  outcomes[1].leftover.ringing_hz = 40.0;
+  EXPECT_TRUE(is_worth_its_name(jitter, outcomes)) << "that is told beside a clock";
 }
 
 // A file that knows of the jitter knows what it leaves.

@@ -70,7 +70,8 @@ TEST(Screw, KeepsItsNameBesideNoiseThatLasts) {
   EXPECT_NEAR(result.which.front().magnitude, kOnceN, 0.05 * kOnceN);
 }
 
-// A force along the way is none on average, and neither did a straight line follow it.
+// What brakes both ways in one place is no force there on average, and no straight line along the way follows
+// it: such a guide passed for random forces.
 TEST(Guide, ThatIsTightInOnePlaceIsUnexplained) {
   DrivenAxis axis;
   axis.viscosity_at = [](double place_m) {
@@ -80,6 +81,9 @@ TEST(Guide, ThatIsTightInOnePlaceIsUnexplained) {
   const DiagnosisResult result = diagnosed(record(axis), datasheet(0.0));
   EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
   EXPECT_TRUE(result.which.empty()) << said(result);
+  EXPECT_TRUE(std::ranges::any_of(result.unexplained_follows, [](const auto& one) {
+    return one.signal.starts_with("the sign of the feed speed near");
+  })) << said(result);
 }
 
 }  // namespace

@@ -64,11 +64,10 @@ class AxisFit {
   struct Rival {
     double everywhere = kNone;
     double in_part = kNone;
+    double far_behind = kNone;  ///< on everything: from where on a trial is not sharpened
   };
   /// This model as others' rival.
   [[nodiscard]] Rival as_rival() const;
-  /// Is it so much less likely than a rival that no further round makes up for it?
-  [[nodiscard]] bool is_hopeless_beside(double rival) const;
 
   /// Fits process noise, parameters and the sizes of the model's effects, in turns, first to a part of the
   /// recording.
@@ -203,6 +202,7 @@ class AxisFit {
     return is_narrow() ? all_of(*signals_).front() : stretches_.front();
   }
   void take_turns(int most_rounds, double rival);
+  [[nodiscard]] bool is_hopeless_beside(double rival) const;
   bool improve(Trial& best, double in_vain = 0.0);
   void follow_bend(const Trial& best, Trial& trial);
   [[nodiscard]] Eigen::VectorXd step_of(const Eigen::MatrixXd& moments,

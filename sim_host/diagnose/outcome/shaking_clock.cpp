@@ -10,7 +10,8 @@ namespace morepro::host {
 bool is_worth_its_name(const SamplingFault& jitter, std::span<const AxisOutcome> outcomes) {
   constexpr double kOfNamed = 0.05, kOfUnnamed = 0.1;
   double unnamed = 0.0;
-  for (const AxisOutcome& outcome : outcomes) unnamed = std::max(unnamed, outcome.leftover.gain);
+  for (const AxisOutcome& outcome : outcomes)
+    if (!has_changed(outcome) && !rings(outcome)) unnamed = std::max(unnamed, outcome.unnamed_deviance());
   return jitter.evidence >= std::max(kOfNamed * named_deviance_of(outcomes), kOfUnnamed * unnamed);
 }
 

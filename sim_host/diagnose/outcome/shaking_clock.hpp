@@ -7,7 +7,7 @@
 
 namespace morepro::host {
 
-/// Is a jitter more than what names, or structure without one, leave of themselves?
+/// Is a jitter worth more than what named effects, or structure without a name, leave that looks like one?
 bool is_worth_its_name(const SamplingFault& jitter, std::span<const AxisOutcome> outcomes);
 
 /// A clock that shakes leaves structure of its own in every balance: of what has no name only another machine

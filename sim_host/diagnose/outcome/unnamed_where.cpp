@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, gap::laws::kUnnamedSpindleLaws> kOfSpindl
     "contact",
     "the acceleration",
 };
-constexpr std::size_t kBeforePlaces = gap::laws::kUnnamedFeedLaws - 2 * gap::laws::kUnnamedPlaces;
+constexpr std::size_t kBeforePlaces = gap::laws::kUnnamedBeforePlaces;
 constexpr std::array<std::string_view, kBeforePlaces> kOfFeed{
     "a constant",
     "the feed speed",

@@ -98,10 +98,9 @@ EffectTrial tried(const AxisFit& fit, const Candidate& candidate, AxisFit::Rival
   trial.fit = roughly_fitted(fit, trial.candidate, without, is_astray);
   trial.fit.finish(without);
   weigh_order_of_lags(trial.fit);
-  if (has_blurred_shape(candidate.form) && !trial.fit.is_hopeless_beside(without.everywhere)) {
-    sharpen_newest(trial.fit, kNoWider);
-    if (candidate.form.effect == gap::Effect::kSpindleCoulombFriction) weigh_bristle(trial.fit);
-  }
+  const bool is_far_behind = trial.fit.unlikeliness() > without.far_behind;
+  if (has_blurred_shape(candidate.form) && !is_far_behind) sharpen_newest(trial.fit, kNoWider);
+  if (candidate.form.effect == gap::Effect::kSpindleCoulombFriction) weigh_bristle(trial.fit);
   if (candidate.form.effect == gap::Effect::kFeedPresliding) tune_bristle(trial.fit);
   if (candidate.form.effect == gap::Effect::kFeedBacklash) tune_play(trial.fit);
   // A bend would do the work of a wrong onset.
