@@ -51,19 +51,14 @@ class NoiseSearch {
   /// `value` is part of the model, between `least` and `most`. Has it changed?
   bool search(double& value, double least, double most) {
     const double start = value;
-    take_steps(value, least, most);
-    // Far below what there is, four times as much does next to nothing, too.
-    const bool is_at_floor = value == start && value < 1.01 * least;
-    if (is_at_floor && is_better_with(64.0, value, least, most)) take_steps(value, least, most);
+    // Far below what there is, four times as much does next to nothing.
+    for (const double factor : {64.0, 4.0, 0.25, 1.6, 0.625})
+      while (is_better_with(factor, value, least, most)) {
+      }
     return value != start;
   }
 
  private:
-  void take_steps(double& value, double least, double most) {
-    for (const double factor : {4.0, 0.25, 1.6, 0.625})
-      while (is_better_with(factor, value, least, most)) {
-      }
-  }
   double unlikeliness_now() const { return unlikeliness(axis_, signals_, within_, model_, length_); }
   bool is_better_with(double factor, double& value, double least, double most) {
     const double before = value;
