@@ -102,23 +102,6 @@ TEST_F(Statistics, NoiseOfNothingIsAsItWas) {
   EXPECT_EQ(fitted.noise.speed_step, model.noise.speed_step);
 }
 
-// A hundredth of what there is does next to nothing, and neither does four times as much: a bias of the speed
-// sensor that was fitted down there lost to an offset of the supply and one of the current.
-TEST(FitNoise, ComesUpFromNextToNothing) {
-  const RecordingSignals signals = diagnose_test::record({.duration_s = 2.0, .process_noise = 0.01});
-  const MonitorConfiguration machine = reference_configuration();
-  GapModel model{.machine = machine.machine,
-                 .point = reference_point_for(diagnose_test::datasheet(0.0), signals),
-                 .noise = usual_noise(machine.sensors)};
-  const double sensor_rad_s = std::sqrt(model.noise.speed_variance);
-  const NoiseBounds down_to_next_to_nothing{.least_share = 1.0e-4};
-  model.noise.speed_step = down_to_next_to_nothing.least_share * sensor_rad_s;
-  const Stretch all = all_of(signals).front();
-  EXPECT_TRUE(fit_noise(Axis::kSpindle, signals, all, model.noise, down_to_next_to_nothing, true, model));
-  EXPECT_NEAR(std::log(model.noise.speed_step / (0.01 * sensor_rad_s)), 0.0, std::log(2.0))
-      << "it is told to a step of 1.6 at best";
-}
-
 TEST(QuarterOf, ALongRecordingLiesEverywhereInIt) {
   RecordingSignals signals;
   signals.rows = 100'000;

@@ -51,8 +51,7 @@ class NoiseSearch {
   /// `value` is part of the model, between `least` and `most`. Has it changed?
   bool search(double& value, double least, double most) {
     const double start = value;
-    // Far below what there is, four times as much does next to nothing.
-    for (const double factor : {64.0, 4.0, 0.25, 1.6, 0.625})
+    for (const double factor : {4.0, 0.25, 1.6, 0.625})
       while (is_better_with(factor, value, least, most)) {
       }
     return value != start;
