@@ -24,8 +24,8 @@ constexpr double kBeforeOnsetS = 1.0;
 
 /// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, value)` makes
 /// one of the newest effect, or gives false where there is none. Was there any? A size that a valley leads
-/// along without an end is not followed for ever: twelve thousand variants of a friction took 150 s. What is
-/// searched for is reached in fewer.
+/// along without an end, or a bristle that yields less and less, is not followed for ever: twelve thousand
+/// variants of a friction took 150 s.
 template <class Value, std::size_t kCount, class Vary>
 bool take_likelier(AxisFit& trial, const std::array<Value, kCount>& values, Vary vary) {
   constexpr int kMostTimes = 25;
@@ -97,29 +97,22 @@ bool search_size(AxisFit& trial) {
   return take_likelier(trial, std::array{2.5F, 1.6F, 0.6F, 1.2F, 0.9F}, resize);
 }
 
-/// Takes the likeliest shape of the newest effect of four: its own, one on each side, as far as `spread`, a
-/// share of it, and the vertex of the parabola through what these are worth. `reshape` multiplies it by a
-/// factor, or gives false. Is it another one?
-template <class Reshape>
-bool take_vertex(AxisFit& trial, double spread, Reshape reshape) {
-  const auto at = [&](double share) {
+/// Takes the shape of the newest effect at which a parabola through what three of them are worth has its
+/// vertex: its own, and one on each side, as far as `spread`, a share of it. Is it another one?
+bool take_vertex(AxisFit& trial, double spread) {
+  const auto at = [&trial](double share) {
     AxisFit other = trial;
-    if (reshape(other.change_model().effects.back(), static_cast<float>(1.0 + share)))
-      other.refit(trial.promised_in_vain());
-    else
-      other = trial;
+    other.change_model().effects.back().form.shape *= static_cast<float>(1.0 + share);
+    other.refit(trial.promised_in_vain());
     return other;
   };
-  AxisFit narrower = at(-spread), wider = at(spread);
-  const double bend = narrower.unlikeliness() + wider.unlikeliness() - 2.0 * trial.unlikeliness();
-  const double slope = wider.unlikeliness() - narrower.unlikeliness();
-  AxisFit best = narrower.unlikeliness() < wider.unlikeliness() ? std::move(narrower) : std::move(wider);
-  if (bend > 0.0 && std::isfinite(bend)) {
-    AxisFit vertex = at(std::clamp(-0.5 * slope / bend, -1.0, 1.0) * spread);
-    if (vertex.unlikeliness() < best.unlikeliness()) best = std::move(vertex);
-  }
-  if (!(best.unlikeliness() < trial.unlikeliness() - kSharper)) return false;
-  trial = std::move(best);
+  const double own = trial.unlikeliness();
+  const double narrower = at(-spread).unlikeliness(), wider = at(spread).unlikeliness();
+  const double bend = narrower + wider - 2.0 * own;
+  if (!(bend > 0.0) || !std::isfinite(bend)) return false;
+  AxisFit other = at(std::clamp(0.5 * (narrower - wider) / bend, -1.0, 1.0) * spread);
+  if (!(other.unlikeliness() < own - kSharper)) return false;
+  trial = std::move(other);
   return true;
 }
 
@@ -132,7 +125,7 @@ bool search_friction(AxisFit& trial, float seen, float widest_share) {
   };
   bool has_shape =
       take_likelier(trial, std::array{0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}, reshape);
-  for (const double spread : {0.03, 0.01}) has_shape |= take_vertex(trial, spread, reshape);
+  for (const double spread : {0.03, 0.01}) has_shape |= take_vertex(trial, spread);
   return search_size(trial) || has_shape;
 }
 
