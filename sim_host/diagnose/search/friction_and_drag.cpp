@@ -14,21 +14,16 @@ using gap::Effect;
 
 constexpr std::array kWidths{0.002F, 0.01F};  // of the reference speed: there friction changes its side
 
-/// The curve that something else is laid beside.
-struct Curve {
-  double evidence;
-  double far_behind = AxisFit::kNone;  ///< as in `AxisFit::Rival`
-};
-
-AxisFit with(const AxisFit& fit, const gap::EffectForm& form, const Curve& curve) {
-  const Candidate candidate{.form = form, .column = 0, .evidence = curve.evidence, .coefficient = {}};
-  return try_effect(fit, candidate, {.far_behind = curve.far_behind}, true).fit;
+AxisFit with(const AxisFit& fit, const gap::EffectForm& form, double evidence,
+             const AxisFit::Rival& rival = {}) {
+  return try_effect(fit, {.form = form, .column = 0, .evidence = evidence, .coefficient = {}}, rival, true)
+      .fit;
 }
 
-AxisFit with_friction(const AxisFit& fit, const Curve& curve) {
+AxisFit with_friction(const AxisFit& fit, double evidence, const AxisFit::Rival& rival) {
   std::array<AxisFit, kWidths.size()> fits{fit, fit};
   in_parallel(fits.size(), [&](std::size_t i) {
-    fits[i] = with(fit, {.effect = Effect::kSpindleCoulombFriction, .shape = kWidths[i]}, curve);
+    fits[i] = with(fit, {.effect = Effect::kSpindleCoulombFriction, .shape = kWidths[i]}, evidence, rival);
   });
   return *std::ranges::min_element(fits, {}, &AxisFit::unlikeliness);
 }
@@ -61,13 +56,13 @@ std::optional<AxisFit> friction_and_drag_instead(const AxisDiagnosis& diagnosis,
   constexpr double kNearlyAsLikely = 0.1, kFarBehind = 0.3;
   const AxisFit& curve = diagnosis.fit;
   const double evidence = diagnosis.found[index].evidence;
-  const Curve rival{evidence, curve.unlikeliness() + kFarBehind * evidence};
+  const AxisFit::Rival rival{.far_behind = curve.unlikeliness() + kFarBehind * evidence};
   AxisFit without = curve;
   auto& effects = without.change_model().effects;
   effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(index));
-  AxisFit plain = may_drag ? with(without, {.effect = Effect::kSpindleWindage}, {evidence}) : without;
-  plain = with_friction(plain, rival);
-  if (may_drag && !has_size(plain, Effect::kSpindleWindage)) plain = with_friction(without, rival);
+  AxisFit plain = may_drag ? with(without, {.effect = Effect::kSpindleWindage}, evidence) : without;
+  plain = with_friction(plain, evidence, rival);
+  if (may_drag && !has_size(plain, Effect::kSpindleWindage)) plain = with_friction(without, evidence, rival);
   const bool is_nearer = viscous_deviation(plain) < viscous_deviation(curve);
   if (!is_nearer || !(cost_of(plain) - cost_of(curve) < kNearlyAsLikely * evidence)) return std::nullopt;
   if (!has_size(plain, Effect::kSpindleCoulombFriction)) return std::nullopt;

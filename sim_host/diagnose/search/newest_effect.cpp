@@ -24,8 +24,7 @@ constexpr double kBeforeOnsetS = 1.0;
 
 /// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, value)` makes
 /// one of the newest effect, or gives false where there is none. Was there any? A size that a valley leads
-/// along without an end, or a bristle that yields less and less, is not followed for ever: twelve thousand
-/// variants of a friction took 150 s.
+/// along without an end is not followed for ever: twelve thousand variants of a friction took 150 s.
 template <class Value, std::size_t kCount, class Vary>
 bool take_likelier(AxisFit& trial, const std::array<Value, kCount>& values, Vary vary) {
   constexpr int kMostTimes = 25;
