@@ -13,9 +13,9 @@
 namespace morepro::gap::laws {
 
 inline constexpr std::uint8_t kUnnamedSpindleLaws = 26;
-inline constexpr std::uint8_t kUnnamedBeforePlaces = 16;  ///< of the feed, that know no single place
-inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis, of two laws each
-inline constexpr std::uint8_t kUnnamedFeedLaws = kUnnamedBeforePlaces + 2 * kUnnamedPlaces;
+inline constexpr std::uint8_t kUnnamedBeforePlaces = 15;  ///< of the feed, that know no place
+inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis, of three laws each
+inline constexpr std::uint8_t kUnnamedFeedLaws = kUnnamedBeforePlaces + 3 * kUnnamedPlaces;
 
 template <class Real>
 [[gnu::always_inline]] inline Real unnamed_spindle(std::uint8_t law, const EffectSignals<Real>& s,
@@ -128,12 +128,11 @@ template <class Real>
       return v * w;
     case 14:
       return w;
-    case 15:  // a force over the place: a mass that is not the same everywhere
-      return x * f;
-    default: {  // a force in one place, or a guide that is tight there
+    default: {  // a force in one place, a guide that is tight there, a mass or a drive that is another one there
       const int place = law - kUnnamedBeforePlaces;
-      return place < kUnnamedPlaces ? bell(x, place)
-                                    : bell(x, place - kUnnamedPlaces) * math::tanh(Real(10) * v);
+      const Real here = bell(x, place % kUnnamedPlaces);
+      if (place < kUnnamedPlaces) return here;
+      return here * (place < 2 * kUnnamedPlaces ? math::tanh(Real(10) * v) : f);
     }
   }
 }

@@ -59,7 +59,6 @@ constexpr std::array<std::string_view, kBeforePlaces> kOfFeed{
     "the spindle speed in contact",
     "spindle speed times feed speed",
     "the spindle speed",
-    "position times feed force",
 };
 
 /// "the estimated current" where it was not recorded.
@@ -89,8 +88,8 @@ std::string words_for(const gap::EffectForm& form, const gap::EffectScales<doubl
   const std::size_t bell = law - kBeforePlaces;
   const double place =
       (static_cast<double>(bell % gap::laws::kUnnamedPlaces) + 0.5) / gap::laws::kUnnamedPlaces;
-  const std::string_view what = bell < gap::laws::kUnnamedPlaces ? "the place" : "the sign of the feed speed";
-  return fmt::format("{} near {:.4g} m", what, scales.travel_from_m + place * scales.travel_m);
+  constexpr std::array<std::string_view, 3> kThere{"the place", "the sign of the feed speed", "the feed force"};
+  return fmt::format("{} near {:.4g} m", kThere.at(bell / gap::laws::kUnnamedPlaces), scales.travel_from_m + place * scales.travel_m);
 }
 
 gap::Balance balance_of_spindle(bool acts_on_voltage, const RecordingSignals& signals) {
