@@ -192,11 +192,8 @@ class Diagnosis {
   }
 
   std::string explanation() const {
-    if (!lost_.empty())
-      return fmt::format(
-          "a model that runs free is lost in {}: it is farther off than the datasheet's, or than random "
-          "forces make it",
-          fmt::join(lost_, ", "));
+    if (std::ranges::any_of(outcomes_, runs_away)) return std::string(kMeaningOfRunaway);
+    if (!lost_.empty()) return meaning_of_lost(lost_);
     if (result_.verdict == Verdict::kEffect) return meaning_of_effects(result_);
     if (const auto meaning = meaning_of(result_.verdict); !meaning.empty())
       return std::string(meaning) + (is_unexplained() && !result_.has_place()
@@ -219,7 +216,7 @@ class Diagnosis {
     const bool has_play = std::ranges::any_of(result_.which, keeps_its_side, &EffectResult::effect);
     const bool has_say = result_.verdict != Verdict::kInsufficientExcitation && faults_.empty() && !has_play;
     if (has_say && result_.which.empty() && !is_unexplained()) mark_lost();
-    if (!lost_.empty()) return;
+    if (!lost_.empty() || std::ranges::any_of(outcomes_, runs_away)) return;
     const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
     const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);
     const bool is_left = has_say && !is_unexplained() &&

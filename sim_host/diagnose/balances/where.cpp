@@ -131,7 +131,9 @@ BalanceResult balance_of(const BalanceRows& rows, const AxisDiagnosis& diagnosis
   BalanceResult result{.balance = rows.balance};
   result.is_evaluated = !rows.after.empty();
   if (!result.is_evaluated) {
-    result.reason = rows.balance == gap::Balance::kSpindleTorque
+    result.reason = !std::isfinite(diagnosis.fit.unlikeliness())
+                        ? "with the values and effects of the machine file a model runs away"
+                    : rows.balance == gap::Balance::kSpindleTorque
                         ? "the recording is too short, has too many holes, or the spindle stands in the cut"
                         : "the recording is too short or has too many holes";
     return result;

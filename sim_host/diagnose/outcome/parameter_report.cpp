@@ -75,8 +75,9 @@ double of_value(const AxisFit& fit, const Eigen::VectorXd& columns, std::size_t 
 }
 
 double standard_error_of(const AxisFit& fit, std::size_t index, double refit) {
-  if (is_unseen(fit, index)) return gap::kDatasheetSpread * std::fabs(refit);
-  return of_value(fit, fit.standard_error(), index, refit);
+  const double error = of_value(fit, fit.standard_error(), index, refit);
+  const bool is_unknown = is_unseen(fit, index) || !std::isfinite(error);
+  return is_unknown ? gap::kDatasheetSpread * std::fabs(refit) : error;
 }
 
 /// Does it act on what the balance of this value shows?

@@ -88,8 +88,10 @@ std::string words_for(const gap::EffectForm& form, const gap::EffectScales<doubl
   const std::size_t bell = law - kBeforePlaces;
   const double place =
       (static_cast<double>(bell % gap::laws::kUnnamedPlaces) + 0.5) / gap::laws::kUnnamedPlaces;
-  constexpr std::array<std::string_view, 3> kThere{"the place", "the sign of the feed speed", "the feed force"};
-  return fmt::format("{} near {:.4g} m", kThere.at(bell / gap::laws::kUnnamedPlaces), scales.travel_from_m + place * scales.travel_m);
+  constexpr std::array<std::string_view, 3> kThere{"the place", "the sign of the feed speed",
+                                                   "the feed force"};
+  return fmt::format("{} near {:.4g} m", kThere.at(bell / gap::laws::kUnnamedPlaces),
+                     scales.travel_from_m + place * scales.travel_m);
 }
 
 gap::Balance balance_of_spindle(bool acts_on_voltage, const RecordingSignals& signals) {

@@ -49,13 +49,24 @@ std::string meaning_of_effects(const DiagnosisResult& result) {
       kPercent * std::max(result.shrinkage.share_closed, 0.0), rest);
 }
 
+std::string meaning_of_lost(std::span<const std::string_view> balances) {
+  return fmt::format(
+      "a model that runs free is lost in {}: it is farther off than the datasheet's, or than random forces "
+      "make it",
+      fmt::join(balances, ", "));
+}
+
 void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFault>& faults, std::size_t rows,
            DiagnosisResult& result) {
   double named = 0.0, known = 0.0, unnamed = 0.0;
   double deviance = 0.0;  // of what is unnamed
   std::size_t causes = 0;
-  bool has_wrong_parameters = false, has_excitation = false, has_moved = false;
+  bool has_wrong_parameters = false, has_excitation = false, has_moved = false, is_away = false;
   for (const AxisOutcome& outcome : outcomes) {
+    if (runs_away(outcome)) {  // and has no likelihood that may be added to the other axis's
+      is_away = true;
+      continue;
+    }
     result.threshold_evidence = std::max(result.threshold_evidence, outcome.threshold());
     result.temperature = std::max(result.temperature, outcome.chance.temperature);
     const double leftover = outcome.unnamed_deviance();
@@ -72,7 +83,10 @@ void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFaul
   }
   result.unexplained_share = unnamed > 0.0 ? unnamed / (known + named + unnamed) : 0.0;
   if (deviance < structure_left_by(faults) * static_cast<double>(rows)) unnamed = 0.0;
-  if (outcomes.empty() || !has_excitation)
+  if (is_away) {
+    result.verdict = Verdict::kUnexplained;
+    result.unexplained_share = 1.0;
+  } else if (outcomes.empty() || !has_excitation)
     result.verdict = Verdict::kInsufficientExcitation;
   else if (unnamed > most_unnamed(causes) * (known + named + unnamed))
     result.verdict = Verdict::kUnexplained;
