@@ -13,7 +13,7 @@
 namespace morepro::gap::laws {
 
 inline constexpr std::uint8_t kUnnamedSpindleLaws = 26;
-inline constexpr std::uint8_t kUnnamedBeforePlaces = 15;  ///< of the feed, that know no place
+inline constexpr std::uint8_t kUnnamedBeforePlaces = 16;  ///< of the feed, that know no single place
 inline constexpr std::uint8_t kUnnamedPlaces = 8;  ///< bells along the way of the axis, of three laws each
 inline constexpr std::uint8_t kUnnamedFeedLaws = kUnnamedBeforePlaces + 3 * kUnnamedPlaces;
 
@@ -128,6 +128,8 @@ template <class Real>
       return v * w;
     case 14:
       return w;
+    case 15:  // a mass that is not the same everywhere, of which a little is seen by one number only
+      return x * f;
     default: {  // a force in one place, a guide that is tight there, a mass or a drive that is another one there
       const int place = law - kUnnamedBeforePlaces;
       const Real here = bell(x, place % kUnnamedPlaces);

@@ -41,6 +41,19 @@ TEST(RunawayModels, TakeNothingWithThem) {
   EXPECT_TRUE(names(result.which.front(), Effect::kFeedPresliding)) << said(result);
 }
 
+// A stated torque constant that turns round within the recording's currents drives any model away: that was
+// "no gap", with the feed axis alone evaluated.
+TEST(RunawayModels, AreNoHealth) {
+  MachineDescription machine = datasheet(0.0);
+  machine.effects.push_back(effect(Effect::kTorqueConstantSaturation, 0.05));
+  const auto result = diagnosed(record(SimulatedRun{}), machine);
+  EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
+  EXPECT_NE(result.explanation.find("runs away"), std::string::npos) << result.explanation;
+  for (const auto& balance : result.where)
+    EXPECT_EQ(balance.is_evaluated, balance.balance == gap::Balance::kFeedForce) << balance.reason;
+  for (const auto& value : result.parameters) EXPECT_TRUE(std::isfinite(value.standard_error)) << value.name;
+}
+
 // 0.3 ms at 1 kHz: a delay, whose linearisation promised more, had 95 % of the gap and 98 %.
 TEST(Lags, GetTheirTrialsWhereOneOfThemDoes) {
   const auto result = diagnosed(record({.effects = {effect(Effect::kCurrentBandwidth, 3.0e-4)},

@@ -25,6 +25,19 @@ TEST(PlaceDependentMass, IsUnexplained) {
   }
 }
 
+// Even over the place, so that no line over it follows: random forces took it, and the verdict was "no_gap".
+TEST(PlaceDependentMass, IsUnexplainedWhereNoLineOverThePlaceFollowsIt) {
+  for (const double share : {5.0e-4, 1.0e-3}) {
+    DrivenAxis axis;
+    axis.mass_at = [share](double place_m) { return 1.0 + share * std::cos(place_m / 0.02); };
+    const DiagnosisResult result = diagnosed(record(axis), datasheet(0.0));
+    EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << share << ": " << said(result);
+    ASSERT_FALSE(result.unexplained_follows.empty()) << share;
+    EXPECT_TRUE(result.unexplained_follows.front().signal.starts_with("the feed force near "))
+        << result.unexplained_follows.front().signal;
+  }
+}
+
 TEST(PlaceDependentMass, IsNoneWhereItIsTheSameEverywhere) {
   const DiagnosisResult result = diagnosed(axis_with_mass_over_place(0.0), datasheet(0.0));
   EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);

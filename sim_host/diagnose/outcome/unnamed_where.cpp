@@ -59,6 +59,7 @@ constexpr std::array<std::string_view, kBeforePlaces> kOfFeed{
     "the spindle speed in contact",
     "spindle speed times feed speed",
     "the spindle speed",
+    "position times feed force",
 };
 
 /// "the estimated current" where it was not recorded.
