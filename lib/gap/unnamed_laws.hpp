@@ -130,7 +130,7 @@ template <class Real>
       return w;
     case 15:  // a mass that is not the same everywhere, of which a little is seen by one number only
       return x * f;
-    default: {  // a force in one place, a guide that is tight there, a mass or a drive that is another one there
+    default: {  // in one place: a force, a guide that is tight, a mass or a drive that is another one
       const int place = law - kUnnamedBeforePlaces;
       const Real here = bell(x, place % kUnnamedPlaces);
       if (place < kUnnamedPlaces) return here;

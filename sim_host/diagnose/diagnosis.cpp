@@ -98,7 +98,8 @@ class Diagnosis {
   [[nodiscard]] bool names_effects() const { return result_.verdict == Verdict::kEffect; }
   /// Structure that means over 5 ms need not show.
   [[nodiscard]] bool has_hidden_structure() const {
-    return !lost_.empty() || std::ranges::any_of(outcomes_, rings);
+    return !lost_.empty() || std::ranges::any_of(outcomes_, rings) ||
+           std::ranges::any_of(outcomes_, runs_away);
   }
 
   /// Is it another machine from some time on? What shakes one does not hide that.

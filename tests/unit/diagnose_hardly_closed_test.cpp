@@ -61,6 +61,8 @@ TEST(HardlyClosed, IsAFaintGapOfWhichSurelyNothingIsClosed) {
   EXPECT_FALSE(is_hardly_closed(run_free(nothing, 1.036, 1.01), std::array{balance(1.06)})) << "runs better";
   EXPECT_FALSE(is_hardly_closed(run_free(shrinkage(0.4, 1.0, 1.0), 1.036, 1.03), std::array{balance(1.06)}))
       << "some of it is closed";
+  EXPECT_FALSE(is_hardly_closed(run_free(nothing, 1.036, 1.036), std::array{balance(1.06)}))
+      << "where no effect acts";
 }
 
 // However little a step shows of it.

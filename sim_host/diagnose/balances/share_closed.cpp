@@ -123,7 +123,7 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
   constexpr double kClosed = 0.7;
   constexpr double kPredicted = 0.5;
   constexpr double kVisible = 1.15;  // residual ratio
-  constexpr double kFaint = 1.03;    // where nothing else is better with the names
+  constexpr double kHardly = 1.03;   // where names act and nothing is better with them
   constexpr double kNothing = 0.3;   // whatever is predicted of what little a step has to predict
   const double most_closed = shrinkage.interval90[1];
   const auto is_predicted = [](const Comparisons& errors, const BalanceResult& balance) {
@@ -131,7 +131,9 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
   };
   const auto shows_much = [&](const BalanceResult& balance) {
     const bool is_nothing = most_closed < kNothing && !is_predicted(shrinkage.free_run_nrmse, balance);
-    return balance.residual_ratio_after > (is_nothing ? kFaint : kVisible) &&
+    const auto& free_run = shrinkage.free_run_nrmse[static_cast<std::size_t>(balance.balance)];
+    const bool is_acted_on = free_run && free_run->refit.value != free_run->with_effect.value;
+    return balance.residual_ratio_after > (is_nothing && is_acted_on ? kHardly : kVisible) &&
            (is_nothing || !is_predicted(shrinkage.one_step_nrmse, balance));
   };
   if (most_closed >= kClosed) return false;

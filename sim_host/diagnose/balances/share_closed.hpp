@@ -34,10 +34,10 @@ inline bool is_nearly_closed(const Shrinkage& shrinkage) { return shrinkage.inte
 /// rows show less than `where` still shows, nor does a model predict a step much better. Right names of three
 /// other simulators closed up to 0.82 of their gap at least, or predicted 0.45 of it, but for a backlash.
 /// Where not a third can have been closed, it is no matter how little there was to predict within a step;
-/// what runs free is far more wrong then. Nor does it matter how much rows still show where a model that runs
-/// free is beyond noise, random forces included, and no nearer with the effects. Beyond the sensors' noise
-/// alone, 0.11 is the least that right names gained, and 0.01 the most that a saturating force did, which
-/// three slides were said to have whose mass depends on the place.
+/// what runs free is no nearer then, and a gap of 1.03 times the noise is enough. Nor does it matter how much
+/// rows still show where a model that runs free is beyond noise, random forces included, and no nearer with
+/// the effects. Beyond the sensors' noise alone, 0.11 is the least that right names gained, and 0.01 the most
+/// that a saturating force did, which three slides were said to have whose mass depends on the place.
 bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult> where);
 
 /// Is surely nothing of the gap closed, and no model that runs free nearer with the effects? Names that a

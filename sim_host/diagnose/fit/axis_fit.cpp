@@ -177,7 +177,6 @@ bool AxisFit::improve(Trial& best, double in_vain) {
                                        precision(width).head(parameters));
   const double promised = best.squares - solution.rss;
   promised_in_vain_ = 0.0;
-  crawls_ = false;
   if (!(promised > kSettled * unit)) return false;
   const bool is_in_vain = promised < kAsMuch * in_vain;
   const std::size_t last = is_in_vain ? best.damping + 1 : kDampings.size();
@@ -193,8 +192,7 @@ bool AxisFit::improve(Trial& best, double in_vain) {
     const bool has_held = gained > 0.5 * promised;
     trial.damping = has_held && best.damping > 0 ? best.damping - 1 : best.damping;
     best = std::move(trial);
-    crawls_ = !(gained > std::max(kSettled * unit, kCrawl * promised));
-    return !crawls_;
+    return gained > std::max(kSettled * unit, kCrawl * promised);
   }
   change_model() = start;
   promised_in_vain_ = promised;

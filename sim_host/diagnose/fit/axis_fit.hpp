@@ -84,8 +84,6 @@ class AxisFit {
   void refit(double in_vain = 0.0);
   /// What it promises to the refitted model in vain.
   [[nodiscard]] double promised_in_vain() const { return promised_in_vain_; }
-  /// Was its last step a small one of many? Then any other refit gains about as much again.
-  [[nodiscard]] bool crawls() const { return crawls_; }
   /// The same without the whitening either: what is compared must be judged alike. Returns what is left to
   /// be made smaller.
   double refit_with_this_noise();
@@ -225,7 +223,6 @@ class AxisFit {
   NoiseBounds noise_bounds_;
   double unlikeliness_ = kNone;
   double promised_in_vain_ = 0.0;
-  bool crawls_ = false;
   std::optional<Memory> memory_{};   ///< of past innovations, beside noise that lasts
   const InputNews* news_ = nullptr;  ///< that are weighed along
   int known_directions_ = 0;

@@ -199,7 +199,7 @@ double unlikeliness_of(const GapStatistics& statistics, const Whitening& whiteni
     const auto& normalised = statistics.normalised[i];
     const auto is_finite = [](float value) { return std::isfinite(value); };
     if (!std::all_of(normalised.begin(), normalised.end(), is_finite))
-      return std::numeric_limits<double>::quiet_NaN();
+      return std::numeric_limits<double>::infinity();
     const SensorWhitening& white = whitening[i];
     const auto& contact = statistics.in_contact[i];
     const auto cut = static_cast<double>(std::count(contact.begin(), contact.end(), true));

@@ -52,7 +52,7 @@ GapStatistics collect(Axis axis, const RecordingSignals& signals, std::span<cons
 Whitening whitening_of(const GapStatistics& statistics);
 
 /// Twice the negative logarithm of the likelihood of a pass, with the whitening that fits it: what models of
-/// different noise are compared by. Smaller is better.
+/// different noise are compared by. Smaller is better; infinite where the model runs away.
 double unlikeliness_of(const GapStatistics& statistics, const Whitening& fitting);
 
 }  // namespace morepro::host

@@ -153,6 +153,7 @@ AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const Dia
 /// A good deal is left or surprises, or it took many effects: perhaps the parameters that the search began
 /// with were not the right ones.
 bool is_doubtful(const AxisOutcome& outcome) {
+  if (runs_away(outcome)) return true;
   constexpr double kGoodDeal = 0.1;  // of everything, in deviance
   const double left = outcome.leftover.gain;
   const bool is_left =
@@ -245,6 +246,10 @@ void take_plain_sizes(AxisDiagnosis& diagnosis) {
 }
 
 void conclude(AxisOutcome& outcome, double noise_evidence) {
+  if (runs_away(outcome)) {
+    outcome.leftover = {};
+    return;
+  }
   AxisDiagnosis& diagnosis = outcome.diagnosis;
   const bool is_lasting = outcome.noise_evidence > 0.0 && !diagnosis.fit.signals().is_thinned;
   outcome.noise_evidence = noise_evidence;

@@ -101,7 +101,8 @@ double error_by_model(const AxisFit& fit, const ShapeErrors& by_shape, const Unn
     if (is_beside(error.effect, fit, index)) noises = std::max(noises, error.of_noise);
   }
   const double most = gap::kDatasheetSpread * std::fabs(refit);
-  return std::min(std::hypot(along, noises * standard_error_of(fit, index, refit)), most);
+  const double error = std::hypot(along, noises * standard_error_of(fit, index, refit));
+  return error < most ? error : most;
 }
 
 /// What a value that the recording tells rests on beside the recording.

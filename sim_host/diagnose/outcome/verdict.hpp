@@ -21,9 +21,8 @@ std::string meaning_of_effects(const DiagnosisResult& result);
 std::string meaning_of_lost(std::span<const std::string_view> balances);
 /// The same where no model follows an axis at all.
 inline constexpr std::string_view kMeaningOfRunaway =
-    "with the values and effects of the machine file a model runs away from what is measured: see the "
-    "balances "
-    "that are not evaluated";
+    "with the values and effects of the machine file a model runs away from what is measured: "
+    "see the balances that are not evaluated";
 
 /// Fills in the verdict by the evidence, with what it rests on: threshold, temperature, what has no name.
 void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFault>& faults, std::size_t rows,

@@ -143,7 +143,8 @@ struct DiagnosisResult {
   Shrinkage shrinkage;
   std::vector<ParameterResult> parameters;
   double unexplained_evidence = 0.0;  ///< of structure without a name
-  /// Of what the datasheet's model leaves beyond noise; all of it where a model that runs free is lost.
+  /// Of what the datasheet's model leaves beyond noise; all of it where a model that runs free is lost, or
+  /// where none follows.
   double unexplained_share = 0.0;
   std::vector<FollowedSignal> unexplained_follows;  ///< by that structure, in each balance the best first
   std::vector<DetectionLimit> not_found;            ///< where nothing is unexplained that may hide it

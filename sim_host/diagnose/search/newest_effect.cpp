@@ -22,15 +22,6 @@ constexpr int kRounds = 2;
 // show.
 constexpr double kBeforeOnsetS = 1.0;
 
-/// Is another fit likelier, by more than the trial would gain by itself where its sizes still crawl? If not,
-/// these have gone on by one step.
-bool is_likelier(const AxisFit& other, AxisFit& trial) {
-  if (!(other.unlikeliness() < trial.unlikeliness() - kSharper)) return false;
-  if (!trial.crawls()) return true;
-  trial.refit(trial.promised_in_vain());
-  return other.unlikeliness() < trial.unlikeliness() - kSharper;
-}
-
 /// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, value)` makes
 /// one of the newest effect, or gives false where there is none. Was there any? A size that a valley leads
 /// along without an end is not followed for ever: twelve thousand variants of a friction took 150 s.
@@ -43,7 +34,7 @@ bool take_likelier(AxisFit& trial, const std::array<Value, kCount>& values, Vary
       AxisFit other = trial;
       if (!vary(other.change_model().effects.back(), value)) break;
       other.refit(trial.promised_in_vain());
-      if (!is_likelier(other, trial)) break;
+      if (!(other.unlikeliness() < trial.unlikeliness() - kSharper)) break;
       trial = std::move(other);
       has_changed = true;
     }
