@@ -68,15 +68,28 @@ DiagnosisResult diagnosed_on(const std::function<double(double)>& viscosity_at) 
   return diagnosed(record(axis), sheet);
 }
 
+/// Tighter and looser in turn, every `period_m` of the way.
+std::function<double(double)> wavy(double period_m) {
+  return [=](double m) { return 1.0 + 0.4 * std::cos(2.0 * std::numbers::pi * m / period_m); };
+}
+
 // A guide that is tight here and loose there was "no_gap" or a wrong datasheet, with residual ratios
-// of 1.000.
+// of 1.000. What comes back within 0.2 m no function over a place follows.
 TEST(LostModel, IsOfAGuideThatIsTighterHereThanThere) {
-  const auto result =
-      diagnosed_on([](double m) { return 1.0 + 0.4 * std::cos(2.0 * std::numbers::pi * m / 0.55); });
+  const auto result = diagnosed_on(wavy(0.2));
   EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
   EXPECT_THAT(result.explanation, testing::HasSubstr("runs free is lost in feed_force"));
   EXPECT_TRUE(result.has_place());
   EXPECT_EQ(result.unexplained_share, 1.0);
+}
+
+// Every 0.3 m a function with the side of the speed in each place does.
+TEST(LostModel, IsNotNeededWhereThePlacesTell) {
+  const auto result = diagnosed_on(wavy(0.3));
+  EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
+  ASSERT_FALSE(result.unexplained_follows.empty());
+  EXPECT_THAT(result.unexplained_follows.front().signal,
+              testing::StartsWith("the sign of the feed speed near "));
 }
 
 TEST(LostModel, IsNotOfAGuideThatIsTheSameEverywhere) {
