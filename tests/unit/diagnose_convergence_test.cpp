@@ -49,8 +49,11 @@ TEST(RunawayModels, AreNoHealth) {
   const auto result = diagnosed(record(SimulatedRun{}), machine);
   EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
   EXPECT_NE(result.explanation.find("runs away"), std::string::npos) << result.explanation;
-  for (const auto& balance : result.where)
-    EXPECT_EQ(balance.is_evaluated, balance.balance == gap::Balance::kFeedForce) << balance.reason;
+  for (const auto& balance : result.where) {
+    const bool is_feed = balance.balance == gap::Balance::kFeedForce;
+    EXPECT_EQ(balance.is_evaluated, is_feed) << balance.reason;
+    EXPECT_EQ(balance.reason.find("runs away") == std::string::npos, is_feed) << balance.reason;
+  }
   for (const auto& value : result.parameters) EXPECT_TRUE(std::isfinite(value.standard_error)) << value.name;
 }
 
