@@ -1,7 +1,6 @@
 #include "sim_host/diagnose/diagnosis.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -98,8 +97,7 @@ class Diagnosis {
   [[nodiscard]] bool names_effects() const { return result_.verdict == Verdict::kEffect; }
   /// Structure that means over 5 ms need not show.
   [[nodiscard]] bool has_hidden_structure() const {
-    return !lost_.empty() || std::ranges::any_of(outcomes_, rings) ||
-           std::ranges::any_of(outcomes_, runs_away);
+    return !lost_.empty() || any_runs_away() || std::ranges::any_of(outcomes_, rings);
   }
 
   /// Is it another machine from some time on? What shakes one does not hide that.
@@ -192,8 +190,12 @@ class Diagnosis {
     if (of_law > 0.0) outcomes_[fit].keep_without_name(of_law, sensor == 0 ? 1.0 : 0.0);
   }
 
+  [[nodiscard]] bool any_runs_away() const {
+    return std::ranges::any_of(outcomes_, [](const AxisOutcome& o) { return o.diagnosis.runs_away(); });
+  }
+
   std::string explanation() const {
-    if (std::ranges::any_of(outcomes_, runs_away)) return std::string(kMeaningOfRunaway);
+    if (any_runs_away()) return std::string(kMeaningOfRunaway);
     if (!lost_.empty()) return meaning_of_lost(lost_);
     if (result_.verdict == Verdict::kEffect) return meaning_of_effects(result_);
     if (const auto meaning = meaning_of(result_.verdict); !meaning.empty())
@@ -217,7 +219,7 @@ class Diagnosis {
     const bool has_play = std::ranges::any_of(result_.which, keeps_its_side, &EffectResult::effect);
     const bool has_say = result_.verdict != Verdict::kInsufficientExcitation && faults_.empty() && !has_play;
     if (has_say && result_.which.empty() && !is_unexplained()) mark_lost();
-    if (!lost_.empty() || std::ranges::any_of(outcomes_, runs_away)) return;
+    if (!lost_.empty() || any_runs_away()) return;
     const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
     const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);
     const bool is_left = has_say && !is_unexplained() &&

@@ -42,13 +42,18 @@ double share_beyond(double floor, const ModelComparison& models) {
   return before > 0.0 ? 1.0 - excess(models.with_effect) / before : 1.0;
 }
 
+/// Does an effect act on what these predict?
+bool is_acted_on(const std::optional<ModelComparison>& models) {
+  return models && models->refit.value != models->with_effect.value;
+}
+
 /// Is a model that runs free beyond noise, and as far with the effects as without them, wherever they act?
 bool runs_as_far(const Comparisons& free_run) {
   constexpr double kBeyondNoise = 1.05;
   constexpr double kAsFar = 0.05;
   bool is_any = false;
   for (const std::optional<ModelComparison>& models : free_run) {
-    if (!models || models->refit.value == models->with_effect.value) continue;
+    if (!is_acted_on(models)) continue;
     if (!(models->refit.interval90[0] > kBeyondNoise * models->noise_floor)) continue;
     if (share_beyond(models->noise_floor, *models) > kAsFar) return false;
     is_any = true;
@@ -132,8 +137,7 @@ bool is_hardly_closed(const Shrinkage& shrinkage, std::span<const BalanceResult>
   const auto shows_much = [&](const BalanceResult& balance) {
     const bool is_nothing = most_closed < kNothing && !is_predicted(shrinkage.free_run_nrmse, balance);
     const auto& free_run = shrinkage.free_run_nrmse[static_cast<std::size_t>(balance.balance)];
-    const bool is_acted_on = free_run && free_run->refit.value != free_run->with_effect.value;
-    return balance.residual_ratio_after > (is_nothing && is_acted_on ? kHardly : kVisible) &&
+    return balance.residual_ratio_after > (is_nothing && is_acted_on(free_run) ? kHardly : kVisible) &&
            (is_nothing || !is_predicted(shrinkage.one_step_nrmse, balance));
   };
   if (most_closed >= kClosed) return false;

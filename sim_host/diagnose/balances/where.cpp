@@ -129,10 +129,10 @@ std::vector<GapCell> cells_of(Axis axis, const RecordingSignals& signals, const 
 
 BalanceResult balance_of(const BalanceRows& rows, const AxisDiagnosis& diagnosis) {
   BalanceResult result{.balance = rows.balance};
-  const bool runs_away = !std::isfinite(diagnosis.fit.unlikeliness());
-  result.is_evaluated = !runs_away && !rows.after.empty();
+  result.is_evaluated = !diagnosis.runs_away() && !rows.after.empty();
   if (!result.is_evaluated) {
-    result.reason = runs_away ? "with the values and effects of the machine file a model runs away"
+    result.reason = diagnosis.runs_away()
+                        ? "with the values and effects of the machine file a model runs away"
                     : rows.balance == gap::Balance::kSpindleTorque
                         ? "the recording is too short, has too many holes, or the spindle stands in the cut"
                         : "the recording is too short or has too many holes";

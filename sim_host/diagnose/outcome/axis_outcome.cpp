@@ -153,7 +153,7 @@ AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const Dia
 /// A good deal is left or surprises, or it took many effects: perhaps the parameters that the search began
 /// with were not the right ones.
 bool is_doubtful(const AxisOutcome& outcome) {
-  if (runs_away(outcome)) return true;
+  if (outcome.diagnosis.runs_away()) return true;
   constexpr double kGoodDeal = 0.1;  // of everything, in deviance
   const double left = outcome.leftover.gain;
   const bool is_left =
@@ -246,7 +246,7 @@ void take_plain_sizes(AxisDiagnosis& diagnosis) {
 }
 
 void conclude(AxisOutcome& outcome, double noise_evidence) {
-  if (runs_away(outcome)) {
+  if (outcome.diagnosis.runs_away()) {
     outcome.leftover = {};
     return;
   }

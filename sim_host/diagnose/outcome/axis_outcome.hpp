@@ -1,6 +1,5 @@
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -60,11 +59,6 @@ inline bool rings(const AxisOutcome& outcome) { return outcome.leftover.ringing_
 
 /// Is it values of the machine that are others from a time on?
 inline bool has_changed(const AxisOutcome& outcome) { return !outcome.leftover.changed_values.empty(); }
-
-/// Has no model been found that follows the axis? What the machine file states drives it away.
-inline bool runs_away(const AxisOutcome& outcome) {
-  return !std::isfinite(outcome.diagnosis.fit.unlikeliness());
-}
 
 /// Nothing where no row of the axis can be used.
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,

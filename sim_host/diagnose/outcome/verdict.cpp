@@ -63,7 +63,7 @@ void judge(std::span<const AxisOutcome> outcomes, const std::vector<SamplingFaul
   std::size_t causes = 0;
   bool has_wrong_parameters = false, has_excitation = false, has_moved = false, is_away = false;
   for (const AxisOutcome& outcome : outcomes) {
-    if (runs_away(outcome)) {  // and has no likelihood that may be added to the other axis's
+    if (outcome.diagnosis.runs_away()) {  // and has no likelihood that may be added to the other axis's
       is_away = true;
       continue;
     }

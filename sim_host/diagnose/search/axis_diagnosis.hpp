@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <functional>
 #include <span>
 #include <vector>
@@ -39,6 +40,8 @@ struct AxisDiagnosis {
   /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out
   /// to grow with the speed is still there, if less of it.
   [[nodiscard]] double needed(const Finding& finding, double usual) const;
+  /// Has no model been found that follows the axis? What the machine file states drives it away.
+  [[nodiscard]] bool runs_away() const { return !std::isfinite(fit.unlikeliness()); }
   /// Deviance that all names together take.
   [[nodiscard]] double named_deviance() const;
   /// The findings as they are in the fitted model now.
