@@ -214,7 +214,8 @@ double unlikeliness_of(const GapStatistics& statistics, const Whitening& whiteni
 Whitening whitening_of(const GapStatistics& statistics) {
   Whitening whitening;
   for (std::size_t i = 0; i < kSensorsPerAxis; ++i)
-    whitening[i] = whitening_of(statistics.normalised[i], statistics.in_contact[i], statistics.may_remember);
+    whitening[i] = whitening_of(statistics.normalised[i], statistics.in_contact[i], statistics.row[i],
+                                statistics.may_remember);
   return whitening;
 }
 

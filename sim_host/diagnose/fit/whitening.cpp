@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t kFewestToWhiten = 400;  // for nine coefficients and two scales
 constexpr float kLargestNormalised = 6.0F;
-constexpr double kNegligible = 0.02;  // of a memory: costs more than it whitens
+constexpr std::uint32_t kNextStretch = 50;  // rows without a sample: behind them another stretch begins
+constexpr double kNegligible = 0.02;        // of a memory: costs more than it whitens
 
 /// Free and in contact. A state that is seldom has no scale of its own, and counts: its rows may be those
 /// that a wrong model misses most.
@@ -51,10 +52,30 @@ std::vector<double> autocovariance(std::span<const float> values, std::size_t la
   return sums;
 }
 
+/// Mean square of what a memory leaves of values, but where one of its lags is in another stretch. Not by the
+/// covariances that it was fitted to: of innovations hundreds of deviations off that hardly change these left
+/// nothing at all, and a wrong model was likelier than the right one with its white noise.
+double left_by(const SensorWhitening& whitening, std::span<const float> values,
+               std::span<const std::uint32_t> row) {
+  constexpr auto& kLags = SensorWhitening::kLags;
+  double sum = 0.0, count = 0.0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0 && !row.empty() && row[i] - row[i - 1] > kNextStretch) first = i;
+    if (i < first + kLags.back()) continue;
+    auto left = static_cast<double>(values[i]);
+    for (std::size_t k = 0; k < kLags.size(); ++k)
+      left -= whitening.memory[k] * static_cast<double>(values[i - kLags[k]]);
+    sum += left * left;
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 1.0;
+}
+
 }  // namespace
 
 SensorWhitening whitening_of(std::span<const float> normalised, const std::vector<bool>& in_contact,
-                             bool may_remember) {
+                             std::span<const std::uint32_t> row, bool may_remember) {
   constexpr auto& kLags = SensorWhitening::kLags;
   constexpr auto kCount = static_cast<Eigen::Index>(kLags.size());
   SensorWhitening whitening;
@@ -79,8 +100,7 @@ SensorWhitening whitening_of(std::span<const float> normalised, const std::vecto
   Eigen::VectorXd memory = a.ldlt().solve(b);
   memory = (memory.array().abs() < kNegligible).select(0.0, memory);
   for (std::size_t i = 0; i < kLags.size(); ++i) whitening.memory[i] = memory(static_cast<Eigen::Index>(i));
-  const double explained = 2.0 * memory.dot(b) - memory.dot(a * memory);
-  whitening.left = std::max(1.0 - explained / covariance[0], 1.0e-6);
+  whitening.left = std::max(left_by(whitening, values, row) / covariance[0], 1.0e-6);
   return whitening;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,8 +27,9 @@ inline double deviation_of(const Whitening& whitening, const Innovation& innovat
 }
 
 /// Estimates the whitening of one sensor from its normalised innovations (value over the observer's standard
-/// deviation) in the order of time. Robust against a few outliers. Too few of them give no whitening.
+/// deviation) in the order of time; `row`: of the recording, of each; empty: they are one stretch. Robust
+/// against a few outliers. Too few of them give no whitening.
 SensorWhitening whitening_of(std::span<const float> normalised, const std::vector<bool>& in_contact,
-                             bool may_remember = true);
+                             std::span<const std::uint32_t> row, bool may_remember = true);
 
 }  // namespace morepro::host
