@@ -34,6 +34,7 @@
 #include "sim_host/diagnose/signals/current_drive.hpp"
 #include "sim_host/diagnose/signals/reference_scales.hpp"
 #include "sim_host/diagnose/signals/sampling_checks.hpp"
+#include "sim_host/diagnose/signals/shown_noise.hpp"
 #include "sim_host/diagnose/signals/slow_motion.hpp"
 #include "sim_host/diagnose/signals/sound_samples.hpp"
 #include "sim_host/machine/setting_key.hpp"
@@ -60,6 +61,7 @@ class Diagnosis {
   }
 
   void run() {
+    take_shown_noise(signals_, machine_.assumed_noise, machine_.configuration.sensors, result_.notices);
     Sensors sensors = with_known_steps(machine_.configuration.sensors, machine_.effects);
     for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
       result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
@@ -101,9 +103,7 @@ class Diagnosis {
   }
 
   /// Is it another machine from some time on? What shakes one does not hide that.
-  [[nodiscard]] bool has_changed() const {
-    return std::ranges::any_of(outcomes_, morepro::host::has_changed);
-  }
+  [[nodiscard]] bool has_changed() const { return std::ranges::any_of(outcomes_, host::has_changed); }
 
   /// With the noise that its sensors show.
   [[nodiscard]] const MachineDescription& machine() const { return machine_; }

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <random>
@@ -134,6 +136,68 @@ TEST(NoisierThanStated, LeavesAFrictionItsName) {
   ASSERT_EQ(result.which.size(), 1U) << said(result);
   EXPECT_EQ(result.which.front().effect, Effect::kFeedCoulombFriction);
   EXPECT_NEAR(result.which.front().magnitude, 8.0, 0.4);
+}
+
+constexpr std::array kMotions{Channel::kSpindleSpeed, Channel::kFeedSpeed, Channel::kFeedPosition};
+
+/// Sensors of the reference machine with another noise, of which no machine file says anything.
+SimulatedRun with_noise_of(double share, SimulatedRun run) {
+  for (SensorNoise& sensor : run.configuration.sensors.by_channel) sensor.noise *= share;
+  return run;
+}
+SimulatedRun in_production() {
+  return {.duration_s = 10.0, .rate_hz = 2000.0, .seed = 5, .profile = host::ProfileKind::kProduction};
+}
+std::uint16_t all_of_motions() {
+  std::uint16_t bits = 0;
+  for (const Channel channel : kMotions) bits = static_cast<std::uint16_t>(bits | bit_of(channel));
+  return bits;
+}
+
+// Whatever it is, up and down, as long as the columns show it for sure.
+TEST(AssumedNoise, IsTakenFromWhatTheSensorsShow) {
+  const Sensors usual = reference_configuration().sensors;
+  for (const double share : {0.1, 5.0}) {
+    const auto signals = record(with_noise_of(share, in_production()));
+    Sensors sensors = usual;
+    std::vector<std::string> notices;
+    host::take_shown_noise(signals, all_of_motions(), sensors, notices);
+    for (const Channel channel : {Channel::kSpindleSpeed, Channel::kFeedSpeed})
+      EXPECT_NEAR(sensors[channel].noise / usual[channel].noise, share, kChance * share);
+    EXPECT_GE(notices.size(), 2U);
+    // What a machine file states is not touched, nor what has nearly the usual noise.
+    sensors = usual;
+    host::take_shown_noise(signals, 0, sensors, notices);
+    EXPECT_EQ(sensors[Channel::kSpindleSpeed].noise, usual[Channel::kSpindleSpeed].noise);
+  }
+  Sensors sensors = usual;
+  std::vector<std::string> notices;
+  host::take_shown_noise(record(in_production()), all_of_motions(), sensors, notices);
+  EXPECT_TRUE(notices.empty()) << notices.front();
+}
+
+// Simulations without noise differ from each other all the same.
+TEST(AssumedNoise, IsNeverNone) {
+  RecordingSignals signals = record(in_production());
+  signals.value[index_of(Channel::kSpindleSpeed)] = noisy([](int) { return 0.0; });
+  const Sensors usual = reference_configuration().sensors;
+  Sensors sensors = usual;
+  std::vector<std::string> notices;
+  host::take_shown_noise(signals, bit_of(Channel::kSpindleSpeed), sensors, notices);
+  EXPECT_NEAR(sensors[Channel::kSpindleSpeed].noise, usual[Channel::kSpindleSpeed].noise / 30.0, 1.0e-9);
+}
+
+// A speed that is believed to be thirty times noisier than it is leaves everything to the current, and what
+// that does not know was structure without a name.
+TEST(AssumedNoise, DoesNotHideACause) {
+  SimulatedRun run = with_noise_of(0.03, in_production());
+  run.effects = {effect(Effect::kSupplyVoltageOffset, 2.0)};
+  const RecordingSignals signals = record(run);
+  MachineDescription sheet = wrong_datasheet(5);
+  sheet.assumed_noise = all_of_motions();
+  const auto result = diagnosed(signals, sheet);
+  ASSERT_EQ(result.which.size(), 1U) << said(result);
+  EXPECT_TRUE(names(result.which.front(), Effect::kSupplyVoltageOffset)) << said(result);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,5 +31,11 @@ std::optional<ShownNoise> shown_noise(Channel channel, double deviation, const S
 std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, const Sensors& sensors);
 
 std::string sentence_of(const ShownNoise& shown);
+
+/// Takes the noise of speeds, a position and a current that the machine file does not state, `assumed` of
+/// bit_of(channel), from what they show, and says so. A noise ten times too large makes an observer trust its
+/// other sensor, and what that does not know becomes structure.
+void take_shown_noise(const RecordingSignals& signals, std::uint16_t assumed, Sensors& sensors,
+                      std::vector<std::string>& notices);
 
 }  // namespace morepro::host
