@@ -37,6 +37,7 @@ class ColumnSet {
     if constexpr (kTriesMany) together_.has_late = together_.has_late || onset_s > 0.0;
     return true;
   }
+  /// The terms before it that are of a dry friction which is the same follow that.
   bool apply(const AppliedEffect& effect) {
     if (applied_ + frictions_ == kMostApplied) return false;
     if (is_dry_friction(effect.form)) {
@@ -75,10 +76,13 @@ class ColumnSet {
   }
   /// The same, and what the columns of that friction become by it.
   FrictionStep<Real> rub_own(const Braking<Real>& on, Real value) {
-    if constexpr (!kFollowsFrictions) return rub(on, value);
-    return rubbed(on, value, [&](std::size_t friction, const RubbedState<Real>& one) {
-      if constexpr (kFollowsFrictions) own_.rub(friction, index_of(on.state), one);
-    });
+    if constexpr (!kFollowsFrictions) {
+      return rub(on, value);
+    } else {
+      return rubbed(on, value, [&](std::size_t friction, const RubbedState<Real>& one) {
+        own_.rub(friction, index_of(on.state), one);
+      });
+    }
   }
   /// Columns that are of the model's own dry friction.
   auto& own_frictions() requires kFollowsFrictions { return own_; }
@@ -131,15 +135,18 @@ class ColumnSet {
     }
   }
 
-  /// The terms of a friction that is part of the model.
+  /// The terms that are parts of a friction of the model. Not of the current's, which turns within a step
+  /// (`around_a_turn`).
   void follow(std::size_t friction) requires kFollowsFrictions {
     const DryFriction<Real>& own = friction_[friction];
+    if (own.state() == BrakedState::kCurrent) return;
     for (std::size_t j = 0; j < terms_; ++j) {
       const EffectForm& form = term_[j].form();
       const auto part = static_cast<std::size_t>(term_[j].part());
       const bool is_same = form.effect == own.form.effect && form.kind == own.form.kind &&
-                           form.shape == own.form.shape && onset_[j].time_s == own.onset_s;
-      if (is_same && part < kFrictionParts && !is_own_[j]) is_own_[j] = own_.add(friction, part, j);
+                           form.shape == own.form.shape && part < own.form.parts &&
+                           onset_[j].time_s == own.onset_s;
+      if (is_same && !is_own_[j]) is_own_[j] = own_.add(friction, part, j);
     }
   }
 

@@ -9,8 +9,8 @@
 
 namespace morepro::gap {
 
-/// A state after friction has acted on it for a step, what is left of a small difference before it, and what
-/// a little more of what friction takes away changes.
+/// A state after friction has acted on it for a step, what is left of a small difference before it, and, of
+/// one friction alone, what a little more of what it takes away changes.
 template <class Real>
 struct FrictionStep {
   Real value = 0;

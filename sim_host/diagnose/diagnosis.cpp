@@ -61,7 +61,6 @@ class Diagnosis {
   }
 
   void run() {
-    take_shown_noise(signals_, machine_.assumed_noise, machine_.configuration.sensors, result_.notices);
     Sensors sensors = with_known_steps(machine_.configuration.sensors, machine_.effects);
     for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
       result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
@@ -69,6 +68,8 @@ class Diagnosis {
     if (machine_.has_spindle) drive_by_current(signals_);
     for (std::string& lack : untested_effects(signals_, machine_)) result_.notices.push_back(std::move(lack));
     faults_ = make_sound(signals_, sensors, result_.notices);
+    for (const ShownNoise& shown : instead_of_assumed(signals_, machine_.assumed_noise, sensors))
+      take(shown, sentence_of_assumed(shown), sensors);
     datasheet_ = {.machine = machine_.configuration.machine,
                   .point = reference_point_for(machine_, signals_),
                   .noise = usual_noise(sensors)};
@@ -78,9 +79,8 @@ class Diagnosis {
     try_axes();
     look_for_jitter();
     heed_shown_noise(sensors);
-    std::erase_if(faults_, [this](const SamplingFault& fault) {
-      return std::ranges::count(options_.excluded, fault.effect) > 0;
-    });
+    std::erase_if(faults_,
+                  [this](const auto& f) { return std::ranges::count(options_.excluded, f.effect) > 0; });
     forget_what_clock_leaves(faults_, outcomes_);
     leave_out_known(machine_.effects, faults_);
     result_.bootstrap_runs = options_.bootstrap_runs;
@@ -160,6 +160,11 @@ class Diagnosis {
     conclude(outcomes_);
   }
 
+  void take(const ShownNoise& shown, std::string sentence, Sensors& sensors) {
+    sensors[shown.channel].noise = machine_.configuration.sensors[shown.channel].noise = shown.noise;
+    result_.notices.push_back(std::move(sentence));
+  }
+
   /// Once more with the noise that the sensors show, where they show more than is stated, unless that is a
   /// clock's.
   void heed_shown_noise(Sensors& sensors) {
@@ -168,11 +173,7 @@ class Diagnosis {
     const std::vector<ShownNoise> noisier = noisier_sensors(signals_, sensors, fits());
     if (noisier.empty() || (may_shake && std::ranges::any_of(faults_, shakes))) return;
     std::erase_if(faults_, shakes);
-    for (const ShownNoise& shown : noisier) {
-      sensors[shown.channel].noise = shown.noise;
-      machine_.configuration.sensors[shown.channel].noise = shown.noise;
-      result_.notices.push_back(sentence_of(shown));
-    }
+    for (const ShownNoise& shown : noisier) take(shown, sentence_of(shown), sensors);
     datasheet_.noise = usual_noise(sensors);
     try_axes();
     look_for_jitter();

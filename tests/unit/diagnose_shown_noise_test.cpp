@@ -138,7 +138,8 @@ TEST(NoisierThanStated, LeavesAFrictionItsName) {
   EXPECT_NEAR(result.which.front().magnitude, 8.0, 0.4);
 }
 
-constexpr std::array kMotions{Channel::kSpindleSpeed, Channel::kFeedSpeed, Channel::kFeedPosition};
+constexpr std::array kSensed{Channel::kSpindleSpeed, Channel::kFeedSpeed, Channel::kFeedPosition,
+                             Channel::kArmatureCurrent};
 
 /// Sensors of the reference machine with another noise, of which no machine file says anything.
 SimulatedRun with_noise_of(double share, SimulatedRun run) {
@@ -148,43 +149,52 @@ SimulatedRun with_noise_of(double share, SimulatedRun run) {
 SimulatedRun in_production() {
   return {.duration_s = 10.0, .rate_hz = 2000.0, .seed = 5, .profile = host::ProfileKind::kProduction};
 }
-std::uint16_t all_of_motions() {
+std::uint16_t all_of_them() {
   std::uint16_t bits = 0;
-  for (const Channel channel : kMotions) bits = static_cast<std::uint16_t>(bits | bit_of(channel));
+  for (const Channel channel : kSensed) bits = static_cast<std::uint16_t>(bits | bit_of(channel));
   return bits;
 }
 
-// Whatever it is, up and down, as long as the columns show it for sure.
+/// By what factor the noise of a sensor is another one than usual, as far as it shows; 1: nothing is taken.
+double shown(Channel channel, const RecordingSignals& signals, std::uint16_t assumed = all_of_them()) {
+  const auto others = host::instead_of_assumed(signals, assumed, reference_configuration().sensors);
+  const auto found = std::ranges::find(others, channel, &host::ShownNoise::channel);
+  return found == others.end() ? 1.0 : found->ratio;
+}
+
+// Whatever it is, up and down, as long as the columns show it for sure; what a machine file states is not
+// touched.
 TEST(AssumedNoise, IsTakenFromWhatTheSensorsShow) {
-  const Sensors usual = reference_configuration().sensors;
-  for (const double share : {0.1, 5.0}) {
+  for (const double share : {0.1, 1.0, 5.0}) {
     const auto signals = record(with_noise_of(share, in_production()));
-    Sensors sensors = usual;
-    std::vector<std::string> notices;
-    host::take_shown_noise(signals, all_of_motions(), sensors, notices);
-    for (const Channel channel : {Channel::kSpindleSpeed, Channel::kFeedSpeed})
-      EXPECT_NEAR(sensors[channel].noise / usual[channel].noise, share, kChance * share);
-    EXPECT_GE(notices.size(), 2U);
-    // What a machine file states is not touched, nor what has nearly the usual noise.
-    sensors = usual;
-    host::take_shown_noise(signals, 0, sensors, notices);
-    EXPECT_EQ(sensors[Channel::kSpindleSpeed].noise, usual[Channel::kSpindleSpeed].noise);
+    for (const Channel channel : {Channel::kSpindleSpeed, Channel::kFeedSpeed, Channel::kFeedPosition}) {
+      EXPECT_NEAR(shown(channel, signals), share, kChance * share);
+      EXPECT_EQ(shown(channel, signals, 0), 1.0);
+    }
   }
-  Sensors sensors = usual;
-  std::vector<std::string> notices;
-  host::take_shown_noise(record(in_production()), all_of_motions(), sensors, notices);
-  EXPECT_TRUE(notices.empty()) << notices.front();
+}
+
+// A current answers the voltage of its row. What no law of the row before predicts of it is more than its
+// noise, by what the row before is noisy itself, and by the controller's answer to that.
+TEST(AssumedNoise, OfACurrentIsABound) {
+  const auto quiet = record(with_noise_of(0.1, in_production()));
+  EXPECT_GE(shown(Channel::kArmatureCurrent, quiet), 0.1);
+  EXPECT_LT(shown(Channel::kArmatureCurrent, quiet), 0.3);
+  EXPECT_EQ(shown(Channel::kArmatureCurrent, record(with_noise_of(5.0, in_production()))), 1.0);
+  RecordingSignals blind = quiet;
+  leave_out(blind, Channel::kArmatureVoltage);
+  EXPECT_EQ(shown(Channel::kArmatureCurrent, blind), 1.0);
+  RecordingSignals holed = quiet;
+  for (std::size_t row = 0; row < holed.rows; row += 7)
+    holed.value[index_of(Channel::kSpindleSpeed)][row] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NEAR(shown(Channel::kArmatureCurrent, holed), shown(Channel::kArmatureCurrent, quiet), 0.03);
 }
 
 // Simulations without noise differ from each other all the same.
 TEST(AssumedNoise, IsNeverNone) {
   RecordingSignals signals = record(in_production());
   signals.value[index_of(Channel::kSpindleSpeed)] = noisy([](int) { return 0.0; });
-  const Sensors usual = reference_configuration().sensors;
-  Sensors sensors = usual;
-  std::vector<std::string> notices;
-  host::take_shown_noise(signals, bit_of(Channel::kSpindleSpeed), sensors, notices);
-  EXPECT_NEAR(sensors[Channel::kSpindleSpeed].noise, usual[Channel::kSpindleSpeed].noise / 30.0, 1.0e-9);
+  EXPECT_NEAR(shown(Channel::kSpindleSpeed, signals), 1.0 / 30.0, 1.0e-9);
 }
 
 // A speed that is believed to be thirty times noisier than it is leaves everything to the current, and what
@@ -194,7 +204,7 @@ TEST(AssumedNoise, DoesNotHideACause) {
   run.effects = {effect(Effect::kSupplyVoltageOffset, 2.0)};
   const RecordingSignals signals = record(run);
   MachineDescription sheet = wrong_datasheet(5);
-  sheet.assumed_noise = all_of_motions();
+  sheet.assumed_noise = all_of_them();
   const auto result = diagnosed(signals, sheet);
   ASSERT_EQ(result.which.size(), 1U) << said(result);
   EXPECT_TRUE(names(result.which.front(), Effect::kSupplyVoltageOffset)) << said(result);

@@ -9,8 +9,7 @@ namespace {
 
 constexpr std::size_t kFewestToWhiten = 400;  // for nine coefficients and two scales
 constexpr float kLargestNormalised = 6.0F;
-constexpr std::uint32_t kNextStretch = 50;  // rows without a sample: behind them another stretch begins
-constexpr double kNegligible = 0.02;        // of a memory: costs more than it whitens
+constexpr double kNegligible = 0.02;  // of a memory: costs more than it whitens
 
 /// Free and in contact. A state that is seldom has no scale of its own, and counts: its rows may be those
 /// that a wrong model misses most.
@@ -52,24 +51,34 @@ std::vector<double> autocovariance(std::span<const float> values, std::size_t la
   return sums;
 }
 
-/// Mean square of what a memory leaves of values, but where one of its lags is in another stretch. Not by the
-/// covariances that it was fitted to: of innovations hundreds of deviations off that hardly change these left
-/// nothing at all, and a wrong model was likelier than the right one with its white noise.
-double left_by(const SensorWhitening& whitening, std::span<const float> values,
-               std::span<const std::uint32_t> row) {
+/// Rows without a sample behind which another stretch begins: more than a few of what lies between samples.
+std::uint32_t rows_between_stretches(std::span<const std::uint32_t> row) {
+  constexpr std::size_t kFewest = 50, kTimes = 3;
+  if (row.size() < 2) return kFewest;
+  return static_cast<std::uint32_t>(
+      std::max(kFewest, kTimes * (row.back() - row.front()) / (row.size() - 1)));
+}
+
+/// Share of the squares of values that a memory leaves, of those whose past is in their own stretch; 1 where
+/// it is no use. Measured, not computed from the covariances that the memory was fitted to: where a machine
+/// runs up at the beginning these left less of a wrong model than the noise that is new in every row.
+double share_left_by(const SensorWhitening& whitening, std::span<const float> values,
+                     std::span<const std::uint32_t> row) {
   constexpr auto& kLags = SensorWhitening::kLags;
-  double sum = 0.0, count = 0.0;
+  const std::uint32_t apart = rows_between_stretches(row);
+  double all = 0.0, left = 0.0;
   std::size_t first = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0 && !row.empty() && row[i] - row[i - 1] > kNextStretch) first = i;
+    if (i > 0 && !row.empty() && row[i] - row[i - 1] > apart) first = i;
     if (i < first + kLags.back()) continue;
-    auto left = static_cast<double>(values[i]);
+    const auto value = static_cast<double>(values[i]);
+    double news = value;
     for (std::size_t k = 0; k < kLags.size(); ++k)
-      left -= whitening.memory[k] * static_cast<double>(values[i - kLags[k]]);
-    sum += left * left;
-    count += 1.0;
+      news -= whitening.memory[k] * static_cast<double>(values[i - kLags[k]]);
+    all += value * value;
+    left += news * news;
   }
-  return count > 0.0 ? sum / count : 1.0;
+  return left < all ? left / all : 1.0;
 }
 
 }  // namespace
@@ -99,8 +108,10 @@ SensorWhitening whitening_of(std::span<const float> normalised, const std::vecto
   a.diagonal().array() += 1.0e-3 * covariance[0];
   Eigen::VectorXd memory = a.ldlt().solve(b);
   memory = (memory.array().abs() < kNegligible).select(0.0, memory);
+  if (memory.isZero()) return whitening;
   for (std::size_t i = 0; i < kLags.size(); ++i) whitening.memory[i] = memory(static_cast<Eigen::Index>(i));
-  whitening.left = std::max(left_by(whitening, values, row) / covariance[0], 1.0e-6);
+  whitening.left = std::max(share_left_by(whitening, values, row), 1.0e-6);
+  if (!(whitening.left < 1.0)) whitening.memory = {};
   return whitening;
 }
 

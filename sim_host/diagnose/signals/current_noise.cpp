@@ -2,11 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
-
-#include "sim_host/support/median.hpp"
 
 namespace morepro::host {
 namespace {
@@ -28,38 +27,46 @@ RowAndNext row_at(std::size_t row, const RecordingSignals& signals) {
   return values;
 }
 
+/// Least squares over all rows.
+using Law = Eigen::Matrix<double, 5, 1>;
+Law law_of_current(const RecordingSignals& signals) {
+  Eigen::Matrix<double, 6, 6> moments = Eigen::Matrix<double, 6, 6>::Zero();
+  for (std::size_t i = 0; i + 1 < signals.rows; ++i)
+    if (const RowAndNext row = row_at(i, signals); row.allFinite()) moments += row * row.transpose();
+  const Law size = moments.diagonal().head<5>().cwiseSqrt();
+  const Law scale = (size.array() > 0.0).select(size.cwiseInverse(), 1.0);
+  Eigen::Matrix<double, 5, 5> known = scale.asDiagonal() * moments.topLeftCorner<5, 5>() * scale.asDiagonal();
+  known.diagonal().array() += 1.0e-12;  // a voltage that never changes is in no law
+  const Law across = moments.topRightCorner<5, 1>();
+  return scale.cwiseProduct(known.ldlt().solve(scale.cwiseProduct(across)));
+}
+
 }  // namespace
 
+// Of most pieces, not of half of them: the current of a machine that rests may be quieter.
 double most_noise_of_current(const RecordingSignals& signals) {
+  constexpr double kMost = 0.9;
   for (const Channel needed : {Channel::kArmatureVoltage, Channel::kArmatureCurrent, Channel::kSpindleSpeed})
     if (!signals.has(needed)) return 0.0;
-  std::vector<RowAndNext> rows;
-  for (std::size_t i = 0; i + 1 < signals.rows; ++i)
-    if (const RowAndNext row = row_at(i, signals); row.allFinite()) rows.push_back(row);
-  if (rows.size() < kFewestPieces * kRowsOfPiece) return 0.0;
-
-  RowAndNext scale = RowAndNext::Zero();
-  for (const RowAndNext& row : rows) scale += row.cwiseAbs2();
-  scale = (scale.array() > 0.0).select(scale.cwiseSqrt().cwiseInverse(), 1.0);
-  Eigen::Matrix<double, 6, 6> moments = Eigen::Matrix<double, 6, 6>::Zero();
-  for (RowAndNext& row : rows) {
-    row = row.cwiseProduct(scale);
-    moments += row * row.transpose();
-  }
-  Eigen::Matrix<double, 5, 5> known = moments.topLeftCorner<5, 5>();
-  known.diagonal().array() += 1.0e-12;  // a voltage that never changes is in no law
-  const Eigen::Matrix<double, 5, 1> law = known.ldlt().solve(moments.topRightCorner<5, 1>());
-
+  const Law law = law_of_current(signals);
   std::vector<double> variances;
-  for (std::size_t first = 0; first + kRowsOfPiece <= rows.size(); first += kRowsOfPiece) {
-    double squares = 0.0;
-    for (std::size_t i = first; i < first + kRowsOfPiece; ++i) {
-      const double left = rows[i](5) - law.dot(rows[i].head<5>());
-      squares += left * left;
-    }
-    variances.push_back(squares / static_cast<double>(kRowsOfPiece));
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < signals.rows; ++i) {
+    const RowAndNext row = row_at(i, signals);
+    if (!row.allFinite()) continue;
+    const double left = row(5) - law.dot(row.head<5>());
+    squares += left * left;
+    if (++count < kRowsOfPiece) continue;
+    variances.push_back(squares / static_cast<double>(count));
+    squares = 0.0;
+    count = 0;
   }
-  return std::sqrt(median_of(variances)) / scale(5);
+  if (variances.size() < kFewestPieces) return 0.0;
+  const auto most =
+      variances.begin() + static_cast<std::ptrdiff_t>(kMost * static_cast<double>(variances.size()));
+  std::nth_element(variances.begin(), most, variances.end());
+  return std::sqrt(*most);
 }
 
 }  // namespace morepro::host

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kBlockRows = 256;
 constexpr std::size_t kFewestToTell = 8;
+constexpr double kNoisier = 1.5;  // times what was said: less than that changes no answer
 
 std::vector<double> differences_of(std::span<const float> column, std::size_t times) {
   std::vector<double> values(column.begin(), column.end());
@@ -89,7 +90,6 @@ double white_noise_of(std::span<const float> column, std::size_t differences) {
 }
 
 std::optional<ShownNoise> shown_noise(Channel channel, double deviation, const Sensors& sensors) {
-  constexpr double kNoisier = 1.5;
   const SensorNoise& stated = sensors[channel];
   if (!(stated.variance() > 0.0)) return std::nullopt;
   const double ratio = deviation / std::sqrt(stated.variance());
@@ -121,24 +121,32 @@ std::string sentence_of(const ShownNoise& shown) {
 }
 
 // Without noise, or nearly so, no simulation of another's would do: a thirtieth of what is usual is enough.
-void take_shown_noise(const RecordingSignals& signals, std::uint16_t assumed, Sensors& sensors,
-                      std::vector<std::string>& notices) {
+std::vector<ShownNoise> instead_of_assumed(const RecordingSignals& signals, std::uint16_t assumed,
+                                           const Sensors& sensors) {
   constexpr double kLeastOfUsual = 1.0 / 30.0;
-  constexpr double kSame = 1.5;
-  if (signals.is_thinned) return;
+  std::vector<ShownNoise> others;
+  if (signals.is_thinned) return others;
   for (const Channel channel :
        {Channel::kSpindleSpeed, Channel::kFeedSpeed, Channel::kFeedPosition, Channel::kArmatureCurrent}) {
     if (!signals.has(channel) || (assumed & bit_of(channel)) == 0) continue;
     const bool is_bound = channel == Channel::kArmatureCurrent;
-    const double shown =
+    const double deviation =
         is_bound ? most_noise_of_current(signals) : surely_white_noise_of(signals.value[index_of(channel)]);
-    double& noise = sensors[channel].noise;
-    const bool is_less = shown > 0.0 && kSame * shown < noise;
-    if (!is_less && (is_bound || !(shown > kSame * noise))) continue;
-    noise = std::max(shown, kLeastOfUsual * noise);
-    notices.push_back(fmt::format("{} shows a noise of {:.2g}, which is taken instead",
-                                  kChannels[index_of(channel)].column, noise));
+    const SensorNoise& usual = sensors[channel];
+    const double without_rounding =
+        std::sqrt(std::max(0.0, deviation * deviation - usual.lsb * usual.lsb / 12.0));
+    const double noise = std::max(without_rounding, kLeastOfUsual * usual.noise);
+    const double ratio = noise / usual.noise;
+    const bool is_less = deviation > 0.0 && ratio < 1.0 / kNoisier;
+    const bool is_more = !is_bound && ratio > kNoisier;
+    if (is_less || is_more) others.push_back({.channel = channel, .noise = noise, .ratio = ratio});
   }
+  return others;
+}
+
+std::string sentence_of_assumed(const ShownNoise& shown) {
+  return fmt::format("{}: a noise of {:.2g} is taken, by what was recorded",
+                     kChannels[index_of(shown.channel)].column, shown.noise);
 }
 
 }  // namespace morepro::host

@@ -10,7 +10,7 @@
 
 namespace morepro::host {
 
-/// A sensor that is noisier than its machine file says.
+/// A sensor whose noise is another one than its machine file says.
 struct ShownNoise {
   Channel channel = Channel::kSpindleSpeed;
   double noise = 0.0;  ///< standard deviation without rounding, unit of the channel
@@ -32,10 +32,12 @@ std::vector<ShownNoise> noisier_than_stated(const RecordingSignals& signals, con
 
 std::string sentence_of(const ShownNoise& shown);
 
-/// Takes the noise of speeds, a position and a current that the machine file does not state, `assumed` of
-/// bit_of(channel), from what they show, and says so. A noise ten times too large makes an observer trust its
+/// The noise of speeds, a position and a current of which the machine file says nothing, `assumed` of
+/// bit_of(channel), where they show half as much again as `sensors` says or more, or two thirds or less; the
+/// current's where that is less, since it is a bound. A noise ten times too large makes an observer trust its
 /// other sensor, and what that does not know becomes structure.
-void take_shown_noise(const RecordingSignals& signals, std::uint16_t assumed, Sensors& sensors,
-                      std::vector<std::string>& notices);
+std::vector<ShownNoise> instead_of_assumed(const RecordingSignals& signals, std::uint16_t assumed,
+                                           const Sensors& sensors);
+std::string sentence_of_assumed(const ShownNoise& shown);
 
 }  // namespace morepro::host
