@@ -101,7 +101,6 @@ class Diagnosis {
   [[nodiscard]] bool has_hidden_structure() const {
     return !lost_.empty() || any_runs_away() || std::ranges::any_of(outcomes_, rings);
   }
-
   /// Is it another machine from some time on? What shakes one does not hide that.
   [[nodiscard]] bool has_changed() const { return std::ranges::any_of(outcomes_, host::has_changed); }
 
