@@ -197,8 +197,27 @@ TEST(AssumedNoise, IsNeverNone) {
   EXPECT_NEAR(shown(Channel::kSpindleSpeed, signals), 1.0 / 30.0, 1.0e-9);
 }
 
-// A speed that is believed to be thirty times noisier than it is leaves everything to the current, and what
-// that does not know was structure without a name.
+// A speed that is believed to be ten times noisier than it is leaves everything to the current, and what that
+// does not know was structure without a name.
+TEST(AssumedNoise, IsNoGapOfALargerMotor) {
+  SimulatedRun run = in_production();
+  run.duration_s = 12.0;
+  auto& spindle = run.configuration.machine.spindle;
+  spindle.torque_constant_nm_a = spindle.back_emf_constant_vs_rad = 0.52;
+  spindle.resistance_ohm = 0.42;
+  spindle.inductance_h = 3.2e-3;
+  spindle.inertia_kgm2 = 4.2e-3;
+  spindle.viscous_friction_nms_rad = 1.2e-3;
+  run.configuration.sensors[Channel::kSpindleSpeed].noise = 0.1;
+  run.configuration.sensors[Channel::kArmatureCurrent].noise = 0.1;
+  MachineDescription sheet = datasheet(0.0);
+  sheet.has_feed = false;
+  sheet.configuration.machine = host::datasheet_of(run.configuration.machine, 0.2, 5);
+  sheet.assumed_noise = all_of_them();
+  EXPECT_EQ(diagnosed(record(run), sheet).verdict, host::Verdict::kParameterError);
+}
+
+// Of 2 V nothing was said: with a thirtieth of the usual noise a wrong model was likelier than the right one.
 TEST(AssumedNoise, DoesNotHideACause) {
   SimulatedRun run = with_noise_of(0.03, in_production());
   run.effects = {effect(Effect::kSupplyVoltageOffset, 2.0)};
