@@ -65,20 +65,20 @@ class MotionInParts {
   }
 
   /// `first` and `last` as above; `free_m_s2`: acceleration of an axis at rest without friction;
-  /// `rub(acting_s, speed_m_s)`: a speed after dry friction has acted on it for so long; `drifted(exp)`: all
-  /// the rest has acted.
-  template <class Rub, class Drifted>
+  /// `rub(acting_s, speed_m_s)`: a speed after dry friction has acted on it for so long.
+  template <class Rub>
   [[nodiscard]] Motion<Real> from(Real position_m, Real speed_m_s, Real first, Real last, Real free_m_s2,
-                                  Rub rub, Drifted drifted) const {
+                                  Rub rub) const {
     const Parts& parts = is_enough(few_.count, first, last) ? few_ : many_;
     Motion<Real> motion{.position_m = position_m, .speed_m_s = speed_m_s};
     const Real half_s = half_of(parts.step.integral.a11, parts.step.exp.a11);
     motion.rub(rub(half_s, motion.speed_m_s));
-    for (std::size_t i = 0; i < parts.count; ++i) {
+    for (std::size_t i = 1; i < parts.count; ++i) {
       motion.drift(parts.step, free_m_s2 - braking_per_s_ * motion.speed_m_s);
-      drifted(parts.step.exp);
-      motion.rub(rub(i + 1 < parts.count ? Real(2) * half_s : half_s, motion.speed_m_s));
+      motion.rub(rub(Real(2) * half_s, motion.speed_m_s));
     }
+    motion.drift(parts.step, free_m_s2 - braking_per_s_ * motion.speed_m_s);
+    motion.rub(rub(half_s, motion.speed_m_s));
     motion.gained_m_s = motion.speed_m_s - speed_m_s;
     return motion;
   }

@@ -4,18 +4,15 @@
 #include "lib/gap/effect_form.hpp"
 #include "lib/gap/effect_laws.hpp"
 #include "lib/gap/effect_scales.hpp"
-#include "lib/gap/friction_columns.hpp"
 #include "lib/math/elementary.hpp"
 
 namespace morepro::gap {
 
-/// A state after friction has acted on it for a step, what is left of a small difference before it, and, of
-/// one friction alone, what a little more of what it takes away changes.
+/// A state after friction has acted on it for a step, and what is left of a small difference before it.
 template <class Real>
 struct FrictionStep {
   Real value = 0;
   Real slope = 1;
-  Real by_loss = 0;
 };
 
 /// Exact solution of dx/dt = -a tanh(x / width) over a step of which `loss` = a h is the most that it takes
@@ -24,20 +21,16 @@ struct FrictionStep {
 template <class Real>
 FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
   constexpr Real kFar = 20;  // beyond, sinh and cosh are the same
-  if (loss < Real(0)) {
-    const Real driven = math::tanh(value / width);
-    return {value - loss * driven, Real(1), -driven};
-  }
+  if (loss < Real(0)) return {value - loss * math::tanh(value / width), Real(1)};
   const Real side = value < Real(0) ? Real(-1) : Real(1);
   const Real start = math::abs(value) / width;
   const Real end = start - loss / width;
-  if (end > kFar) return {side * width * end, Real(1), -side};
+  if (end > kFar) return {side * width * end, Real(1)};
   const Real grown = Real(0.5) * math::exp(end);
   const Real near = math::exp_of_nonpositive(Real(-2) * start);
   const Real sinh_end = grown * (Real(1) - near);
   const Real cosh_end = math::sqrt(Real(1) + sinh_end * sinh_end);
-  return {side * width * math::log(sinh_end + cosh_end), grown * (Real(1) + near) / cosh_end,
-          -side * sinh_end / cosh_end};
+  return {side * width * math::log(sinh_end + cosh_end), grown * (Real(1) + near) / cosh_end};
 }
 
 /// Friction in two halves around the rest of a step (Strang), with the turn of a state that changes its side
@@ -78,9 +71,6 @@ constexpr bool is_dry_friction(const EffectForm& form) {
 /// State that a dry friction brakes.
 enum class BrakedState { kSpindleSpeed, kCurrent, kFeedSpeed };
 
-/// Which of the two states of its axis that is: speed and current, or position and speed.
-constexpr std::size_t index_of(BrakedState state) { return state == BrakedState::kSpindleSpeed ? 0 : 1; }
-
 /// What a dry friction acts on in a step of a model.
 template <class Real>
 struct Braking {
@@ -112,12 +102,11 @@ struct DryFriction {
     return form.effect < Effect::kBrushVoltageDrop ? BrakedState::kFeedSpeed : BrakedState::kCurrent;
   }
 
-  [[nodiscard]] RubbedState<Real> step(Real value, const Braking<Real>& on,
-                                       const EffectScales<Real>& k) const {
+  [[nodiscard]] FrictionStep<Real> step(Real value, const Braking<Real>& on,
+                                        const EffectScales<Real>& k) const {
     const Real reach = static_cast<Real>(form.shape) * reference(k);
     if (is_stribeck(form.effect)) return stribeck(value, on, reach);
-    const auto step = friction_step(value, blurred(reach, on.variance), size * on.yield);
-    return {step.value, step.slope, {on.yield * step.by_loss}};
+    return friction_step(value, blurred(reach, on.variance), size * on.yield);
   }
 
  private:
@@ -126,18 +115,11 @@ struct DryFriction {
     return state() == BrakedState::kFeedSpeed ? k.feed_speed_m_s : k.speed_rad_s;
   }
 
-  /// A faster state is braked less: of a difference more may be left than there was.
-  [[nodiscard]] RubbedState<Real> stribeck(Real value, const Braking<Real>& on, Real range) const {
-    const Real near = laws::breakaway(value, range, 0);
-    const Real far = form.parts > 1 ? laws::breakaway(value, range, 1) : Real(0);
+  [[nodiscard]] FrictionStep<Real> stribeck(Real value, const Braking<Real>& on, Real range) const {
+    Real left = size * laws::breakaway(value, range, 0);
+    if (bend != Real(0)) left += bend * laws::breakaway(value, range, 1);
     const Real width = static_cast<Real>(laws::stribeck_side(form.effect)) * range;
-    const auto step =
-        friction_step(value, blurred(width, on.variance), (size * near + bend * far) * on.yield);
-    // d exp(-(v/r)^2) / dv, and that of exp(-(v/3r)^2) - exp(-(v/r)^2).
-    const Real falls = Real(-2) * value / (range * range);
-    const Real by_speed = falls * (size * near + bend * ((near + far) / Real(9) - near));
-    const Real by_size = on.yield * step.by_loss;
-    return {step.value, step.slope + by_size * by_speed, {by_size * near, by_size * far}};
+    return friction_step(value, blurred(width, on.variance), left * on.yield);
   }
 };
 

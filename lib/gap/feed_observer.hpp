@@ -139,9 +139,7 @@ class FeedObserver {
     // that sticks does so where it should.
     const Braking<Real> braking{BrakedState::kFeedSpeed, friction_yield_, frame.time_s,
                                 observer_.variance(1)};
-    begin_own_frictions(terms_);
-    const auto before = terms_.rub_own(braking, observer_.mean(1));
-    drift_own_frictions(terms_, exp_);
+    const auto before = terms_.rub(braking, observer_.mean(1));
     const Real v = before.value;
     const Real cut_n = frame.input.contact * (contact_force_n_ * frame.input.engagement + contact_offset_n_);
     const Real rate = (frame.input.feed_force_n - k.feed_viscous_friction_ns_m * v - cut_n) / k.mass_kg;
@@ -151,7 +149,7 @@ class FeedObserver {
     added_ = terms_.applied(middle, false);
     const Real rate_added = added_.force_n / k.mass_kg;
     const Real free_m_s = v + dv + integral_.a11 * rate_added;
-    const auto after = terms_.rub_own(braking, free_m_s);
+    const auto after = terms_.rub(braking, free_m_s);
     const Real rubbed_m_s = v - observer_.mean(1) + after.value - free_m_s;
     Motion<Real> motion{
         .position_m = x + dx + integral_.a01 * rate_added,
@@ -171,19 +169,16 @@ class FeedObserver {
     driven_m_s_ += motion.speed_m_s - observer_.mean(1);
     observer_.predict(motion.position_m, motion.speed_m_s, motion.by_state, motion.by_rate, process_noise_,
                       no_position_, speed_rate_);
-    add_own_frictions(terms_, observer_, kFeedParameters);
   }
 
   /// `first`, `last`: what friction took in the halves; `free_m_s2`: acceleration of an axis at rest without
   /// friction.
-  Motion<Real> in_parts(Braking<Real> braking, Real first, Real last, Real free_m_s2) {
-    begin_own_frictions(terms_);
-    const auto rub = [&](Real acting_s, Real speed_m_s) {
-      braking.yield = acting_s / terms_.scales().mass_kg;
-      return terms_.rub_own(braking, speed_m_s);
-    };
-    return in_parts_.from(observer_.mean(0), observer_.mean(1), first, last, free_m_s2, rub,
-                          [&](const auto& exp) { drift_own_frictions(terms_, exp); });
+  Motion<Real> in_parts(Braking<Real> braking, Real first, Real last, Real free_m_s2) const {
+    return in_parts_.from(observer_.mean(0), observer_.mean(1), first, last, free_m_s2,
+                          [&](Real acting_s, Real speed_m_s) {
+                            braking.yield = acting_s / terms_.scales().mass_kg;
+                            return terms_.rub(braking, speed_m_s);
+                          });
   }
 
   void load_columns(const EffectSignals<Real>& s, Real acceleration_m_s2, const PlantInput<Real>& input) {

@@ -34,15 +34,12 @@ PlaceAndSpeed way_of(double speed_m_s, double free_m_s2, double side_m_s = kSide
   return place;
 }
 
-constexpr auto kUnwatched = [](const math::BasicMatrix2<double>&) {};
-
 /// What friction takes in the halves of an interval is so different that it has all its parts.
 Motion<double> in_parts(double speed_m_s, double free_m_s2) {
   const MotionInParts<double> parts(kBrakingPerS, kIntervalS);
-  return parts.from(
-      0.0, speed_m_s, -1.0, 1.0, free_m_s2,
-      [](double acting_s, double v) { return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s); },
-      kUnwatched);
+  return parts.from(0.0, speed_m_s, -1.0, 1.0, free_m_s2, [](double acting_s, double v) {
+    return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s);
+  });
 }
 
 // A part is a sixteenth of the step: what friction takes in half of one is the most that a turn within it is
@@ -81,13 +78,10 @@ TEST(BrakedMotion, HasFewerPartsWhereFrictionHardlyChanges) {
   const double truth = way_of(kSpeed, kFree, kWideM_s).speed_m_s;
   for (const auto& [last, parts] : {std::pair(-1.03, 4), std::pair(-1.04, 16)}) {
     int rubs = 0;
-    const auto motion = interval.from(
-        0.0, kSpeed, -1.0, last, kFree,
-        [&rubs](double acting_s, double v) {
-          ++rubs;
-          return friction_step(v, kWideM_s, kFrictionM_s2 * acting_s);
-        },
-        kUnwatched);
+    const auto motion = interval.from(0.0, kSpeed, -1.0, last, kFree, [&rubs](double acting_s, double v) {
+      ++rubs;
+      return friction_step(v, kWideM_s, kFrictionM_s2 * acting_s);
+    });
     EXPECT_EQ(rubs, parts + 1);
     EXPECT_NEAR(motion.speed_m_s, truth, kThousandth);
   }
@@ -98,13 +92,10 @@ TEST(BrakedMotion, HasAllPartsWhereAQuarterOfThemIsNotEnough) {
   const MotionInParts<double> interval(kBrakingPerS, 0.5 * kIntervalS);
   for (const auto& [last, parts] : {std::pair(-1.007, 2), std::pair(-1.009, 8)}) {
     int rubs = 0;
-    const auto motion = interval.from(
-        0.0, 5.0e-3, -1.0, last, 5.0,
-        [&rubs](double acting_s, double v) {
-          ++rubs;
-          return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s);
-        },
-        kUnwatched);
+    const auto motion = interval.from(0.0, 5.0e-3, -1.0, last, 5.0, [&rubs](double acting_s, double v) {
+      ++rubs;
+      return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s);
+    });
     EXPECT_EQ(rubs, parts + 1) << motion.speed_m_s;
   }
 }
@@ -114,13 +105,10 @@ TEST(BrakedMotion, HasAllPartsWhereAQuarterOfThemIsNotEnough) {
 TEST(BrakedMotion, HasPartsAsShortInALongInterval) {
   const MotionInParts<double> interval(kBrakingPerS, 2.0 * kIntervalS);
   int rubs = 0;
-  const auto motion = interval.from(
-      0.0, 5.0e-3, -1.0, 1.0, 5.0,
-      [&rubs](double acting_s, double v) {
-        ++rubs;
-        return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s);
-      },
-      kUnwatched);
+  const auto motion = interval.from(0.0, 5.0e-3, -1.0, 1.0, 5.0, [&rubs](double acting_s, double v) {
+    ++rubs;
+    return friction_step(v, kSideM_s, kFrictionM_s2 * acting_s);
+  });
   EXPECT_EQ(rubs, 32 + 1) << motion.speed_m_s;
 }
 

@@ -114,9 +114,7 @@ Eigen::VectorXd errors_of_columns(const AxisFit& fit) {
   const FreeShapes shapes(fit);
   if (shapes.freedoms() == 0) return {};
   const SizeColumns sizes(shapes.effects());
-  Disturbances disturbances = sizes.disturbances();
-  disturbances.are_compared = true;
-  const GapStatistics statistics = fit.collect_with(disturbances);
+  const GapStatistics statistics = fit.collect_with(sizes.disturbances());
   Eigen::MatrixXd moments = statistics.total();
   if (moments.cols() == 0) return {};
   moments = shapes.of(sizes.of(moments, parameter_count(fit.axis())));
