@@ -175,24 +175,6 @@ TEST(Whitening, LeavesAtLeastWhatIsNew) {
   }
 }
 
-// Pieces of a recording of which each goes on where the one before has not been.
-TEST(Whitening, RemembersNothingOfAnotherStretch) {
-  GapStatistics statistics;
-  const auto drawn = white(19, 20000);
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const std::size_t stretch = i / 500;
-    statistics.normalised[0].push_back(drawn[i] + (stretch % 2 == 0 ? 5.0F : -5.0F));
-    statistics.row[0].push_back(static_cast<std::uint32_t>(i + 1000 * stretch));
-  }
-  statistics.in_contact[0].assign(drawn.size(), false);
-  const SensorWhitening found = whitening_of(statistics)[0];
-  const double left = found.left * found.scale[0] * found.scale[0];
-  statistics.row[0].clear();
-  const SensorWhitening all_one = whitening_of(statistics)[0];
-  EXPECT_LT(left, 1.35) << "nine rows before tell a mean to a ninth of their variance";
-  EXPECT_GT(all_one.left * all_one.scale[0] * all_one.scale[0], left + 0.2);
-}
-
 /// Innovations of both sensors, as an observer of the right noise leaves them.
 GapStatistics two_sensors(unsigned seed, std::size_t rows) {
   GapStatistics statistics;

@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::size_t kFewestToWhiten = 400;  // for nine coefficients and two scales
 constexpr float kLargestNormalised = 6.0F;
+constexpr double kSurelyLeft = 0.5;   // share that covariances do not make of nothing
+constexpr double kFarFrom = 0.5;      // of what is measured
 constexpr double kNegligible = 0.02;  // of a memory: costs more than it whitens
 
 /// Free and in contact. A state that is seldom has no scale of its own, and counts: its rows may be those
@@ -59,9 +61,9 @@ std::uint32_t rows_between_stretches(std::span<const std::uint32_t> row) {
       std::max(kFewest, kTimes * (row.back() - row.front()) / (row.size() - 1)));
 }
 
-/// Share of the squares of values that a memory leaves, of those whose past is in their own stretch; 1 where
-/// it is no use. Measured, not computed from the covariances that the memory was fitted to: where a machine
-/// runs up at the beginning these left less of a wrong model than the noise that is new in every row.
+/// Share of the squares of values that a memory leaves, of those whose past is in their own stretch. Where a
+/// machine runs up at the beginning the covariances that a memory was fitted to leave less of a wrong model
+/// than the noise that is new in every row: what they are far from is measured.
 double share_left_by(const SensorWhitening& whitening, std::span<const float> values,
                      std::span<const std::uint32_t> row) {
   constexpr auto& kLags = SensorWhitening::kLags;
@@ -108,10 +110,11 @@ SensorWhitening whitening_of(std::span<const float> normalised, const std::vecto
   a.diagonal().array() += 1.0e-3 * covariance[0];
   Eigen::VectorXd memory = a.ldlt().solve(b);
   memory = (memory.array().abs() < kNegligible).select(0.0, memory);
-  if (memory.isZero()) return whitening;
   for (std::size_t i = 0; i < kLags.size(); ++i) whitening.memory[i] = memory(static_cast<Eigen::Index>(i));
-  whitening.left = std::max(share_left_by(whitening, values, row), 1.0e-6);
-  if (!(whitening.left < 1.0)) whitening.memory = {};
+  const double explained = 2.0 * memory.dot(b) - memory.dot(a * memory);
+  const double expected = std::max(1.0 - explained / covariance[0], 1.0e-6);
+  const double measured = expected < kSurelyLeft ? share_left_by(whitening, values, row) : expected;
+  whitening.left = expected < kFarFrom * measured ? measured : expected;
   return whitening;
 }
 
