@@ -9,8 +9,7 @@ namespace {
 
 constexpr std::size_t kFewestToWhiten = 400;  // for nine coefficients and two scales
 constexpr float kLargestNormalised = 6.0F;
-constexpr double kSurelyLeft = 0.5;   // share that covariances do not make of nothing
-constexpr double kFarFrom = 0.5;      // of what is measured
+constexpr double kFarFrom = 0.5;      // of what is measured, a share
 constexpr double kNegligible = 0.02;  // of a memory: costs more than it whitens
 
 /// Free and in contact. A state that is seldom has no scale of its own, and counts: its rows may be those
@@ -113,8 +112,11 @@ SensorWhitening whitening_of(std::span<const float> normalised, const std::vecto
   for (std::size_t i = 0; i < kLags.size(); ++i) whitening.memory[i] = memory(static_cast<Eigen::Index>(i));
   const double explained = 2.0 * memory.dot(b) - memory.dot(a * memory);
   const double expected = std::max(1.0 - explained / covariance[0], 1.0e-6);
-  const double measured = expected < kSurelyLeft ? share_left_by(whitening, values, row) : expected;
-  whitening.left = expected < kFarFrom * measured ? measured : expected;
+  whitening.left = expected;
+  if (expected < kFarFrom) {
+    const double measured = share_left_by(whitening, values, row);
+    if (expected < kFarFrom * measured) whitening.left = measured;
+  }
   return whitening;
 }
 
