@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -13,6 +14,7 @@ namespace morepro::gap {
 template <class Real, std::size_t kMostTerms, std::size_t kMostApplied, std::size_t kDelaySteps>
 class ColumnSet {
   static constexpr bool kHasOnsets = kMostApplied > 0;
+  static constexpr bool kFollowsFrictions = kHasOnsets && kMostTerms > 0;
   static constexpr bool kTriesMany = kMayShare<Real> && kMostTerms > 64;
   static constexpr std::size_t kMany = 12;
 
@@ -36,12 +38,14 @@ class ColumnSet {
     if constexpr (kTriesMany) together_.has_late = together_.has_late || onset_s > 0.0;
     return true;
   }
+  /// The terms before it that are of a dry friction which is the same follow that.
   bool apply(const AppliedEffect& effect) {
     if (applied_ + frictions_ == kMostApplied) return false;
     if (is_dry_friction(effect.form)) {
       friction_[frictions_++] = {effect.form, static_cast<Real>(effect.coefficient[0]),
                                  static_cast<Real>(effect.form.parts > 1 ? effect.coefficient[1] : 0.0),
                                  static_cast<Real>(effect.onset_s)};
+      if constexpr (kFollowsFrictions) follow(frictions_ - 1);
       return true;
     }
     applied_is_sensor_[applied_] = is_in_sensor(effect.form.effect);
@@ -69,19 +73,53 @@ class ColumnSet {
 
   /// A state after the dry friction of the model.
   FrictionStep<Real> rub(const Braking<Real>& on, Real value) const {
-    FrictionStep<Real> all{value, Real(1)};
+    return rubbed(on, value, [](std::size_t, const RubbedState<Real>&) {});
+  }
+  /// The same, and what the columns of that friction become by it.
+  FrictionStep<Real> rub_own(const Braking<Real>& on, Real value) {
+    if constexpr (!kFollowsFrictions) {
+      return rub(on, value);
+    } else {
+      return rubbed(on, value, [&](std::size_t friction, const RubbedState<Real>& one) {
+        own_.rub(friction, index_of(on.state), one);
+      });
+    }
+  }
+  /// Takes the dry friction of the model as it acts during an interval; `on.yield`: by how much a load of one
+  /// changes the rate of the state.
+  void begin_friction(const Braking<Real>& on) {
+    acting_ = 0;
     for (std::size_t i = 0; i < frictions_; ++i) {
-      if (friction_[i].state() != on.state || on.time_s < friction_[i].onset_s) continue;
-      const FrictionStep<Real> one = friction_[i].step(all.value, on, scales_);
-      all = {one.value, all.slope * one.slope};
+      if (!acts(i, on)) continue;
+      acting_friction_[acting_] = friction_[i].acting(on, scales_);
+      acting_friction_[acting_++].index = i;
+    }
+  }
+  /// All of it at one value of its state.
+  FrictionAt<Real> friction_at(Real value) {
+    FrictionAt<Real> all;
+    for (std::size_t i = 0; i < acting_; ++i) {
+      const FrictionAt<Real> one = acting_friction_[i].at(value);
+      all.rate += one.rate;
+      all.slope += one.slope;
+      if constexpr (kFollowsFrictions) own_.push(acting_friction_[i].index, one.by_part);
     }
     return all;
   }
+  /// The least width in which one of them changes its side.
+  [[nodiscard]] Real friction_width() const {
+    Real most_per_width = 0;
+    for (std::size_t i = 0; i < acting_; ++i)
+      most_per_width = std::max(most_per_width, acting_friction_[i].per_width);
+    return Real(1) / most_per_width;
+  }
+  /// Columns that are of the model's own dry friction.
+  auto& own_frictions() requires kFollowsFrictions { return own_; }
 
   /// The second half of a step's friction on a state that may turn in between: from `free`, where the rest of
   /// the step led to, from `start` and the `first` half.
-  FrictionStep<Real> rub_on(const Braking<Real>& on, Real start, FrictionStep<Real>& first, Real free) const {
-    const FrictionStep<Real> last = rub(on, free);
+  FrictionStep<Real> rub_on(const Braking<Real>& on, Real start, FrictionStep<Real>& first, Real free) {
+    const FrictionStep<Real> last = rub_own(on, free);
     if constexpr (kMostApplied == 0)
       return last;
     else
@@ -105,10 +143,44 @@ class ColumnSet {
   }
 
  private:
+  template <class Rubbed>
+  FrictionStep<Real> rubbed(const Braking<Real>& on, Real value, Rubbed note) const {
+    FrictionStep<Real> all{value, Real(1)};
+    for (std::size_t i = 0; i < frictions_; ++i) {
+      if (!acts(i, on)) continue;
+      const RubbedState<Real> one = friction_[i].step(all.value, on, scales_);
+      note(i, one);
+      all = {one.value, all.slope * one.slope};
+    }
+    return all;
+  }
+
+  [[nodiscard]] bool acts(std::size_t friction, const Braking<Real>& on) const {
+    return friction_[friction].state() == on.state && on.time_s >= friction_[friction].onset_s;
+  }
+
   template <class Visit>
   void visit_each(const EffectSignals<Real>& signals, bool in_sensor, Visit visit) {
-    for (std::size_t j = 0; j < terms_; ++j)
+    for (std::size_t j = 0; j < terms_; ++j) {
+      if constexpr (kFollowsFrictions)
+        if (is_own_[j]) continue;
       if (is_in_sensor(term_[j].form().effect) == in_sensor) visit(j, step(j, signals));
+    }
+  }
+
+  /// The terms that are parts of a friction of the model. Not of the current's, which turns within a step
+  /// (`around_a_turn`).
+  void follow(std::size_t friction) requires kFollowsFrictions {
+    const DryFriction<Real>& own = friction_[friction];
+    if (own.state() == BrakedState::kCurrent) return;
+    for (std::size_t j = 0; j < terms_; ++j) {
+      const EffectForm& form = term_[j].form();
+      const auto part = static_cast<std::size_t>(term_[j].part());
+      const bool is_same = form.effect == own.form.effect && form.kind == own.form.kind &&
+                           form.shape == own.form.shape && part < own.form.parts &&
+                           onset_[j].time_s == own.onset_s;
+      if (is_same && !is_own_[j]) is_own_[j] = own_.add(friction, part, j);
+    }
   }
 
   /// Where all of them are functions without a name, and there from the start.
@@ -154,9 +226,45 @@ class ColumnSet {
   std::array<AppliedTerm<Real, kDelaySteps>, kMostApplied> applied_term_{};
   std::array<bool, kMostApplied> applied_is_sensor_{};
   std::array<DryFriction<Real>, kMostApplied> friction_{};
+  std::array<ActingFriction<Real>, kMostApplied> acting_friction_{};
+  [[no_unique_address]] std::conditional_t<kFollowsFrictions, FrictionColumns<Real, kMostApplied>, Nothing>
+      own_;
+  std::array<bool, kFollowsFrictions ? kMostTerms : 0> is_own_{};
   std::size_t terms_ = 0;
   std::size_t applied_ = 0;
   std::size_t frictions_ = 0;
+  std::size_t acting_ = 0;
 };
+
+/// What a little more of the model's own dry frictions changes in an interval, where a set follows that.
+template <class Terms>
+void begin_own_frictions(Terms& terms) {
+  if constexpr (requires { terms.own_frictions(); }) terms.own_frictions().begin();
+}
+/// The same in the steps of a `BrakedMotion`.
+template <class Terms>
+struct OwnFrictionsInSteps {
+  Terms& terms;
+
+  void begin() {
+    if constexpr (requires { terms.own_frictions(); }) terms.own_frictions().begin_steps();
+  }
+  template <class Growth, class Real>
+  void step(const Growth& growth, Real step_s) {
+    if constexpr (requires { terms.own_frictions(); }) terms.own_frictions().step(growth, step_s);
+  }
+};
+template <class Terms, class Matrix>
+void drift_own_frictions(Terms& terms, const Matrix& exp) {
+  if constexpr (requires { terms.own_frictions(); }) terms.own_frictions().drift(exp);
+}
+/// After the observer's prediction; `first`: column of the first term.
+template <class Terms, class Observer>
+void add_own_frictions(Terms& terms, Observer& observer, std::size_t first) {
+  if constexpr (requires { terms.own_frictions(); }) {
+    const auto& own = terms.own_frictions();
+    for (std::size_t i = 0; i < own.count(); ++i) observer.add(first + own[i].column, own[i].change);
+  }
+}
 
 }  // namespace morepro::gap

@@ -1,18 +1,22 @@
 #pragma once
 #include <algorithm>
+#include <array>
 
 #include "lib/gap/effect_form.hpp"
 #include "lib/gap/effect_laws.hpp"
 #include "lib/gap/effect_scales.hpp"
+#include "lib/gap/friction_columns.hpp"
 #include "lib/math/elementary.hpp"
 
 namespace morepro::gap {
 
-/// A state after friction has acted on it for a step, and what is left of a small difference before it.
+/// A state after friction has acted on it for a step, what is left of a small difference before it, and, of
+/// one friction alone, what a little more of what it takes away changes.
 template <class Real>
 struct FrictionStep {
   Real value = 0;
   Real slope = 1;
+  Real by_loss = 0;
 };
 
 /// Exact solution of dx/dt = -a tanh(x / width) over a step of which `loss` = a h is the most that it takes
@@ -21,16 +25,20 @@ struct FrictionStep {
 template <class Real>
 FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
   constexpr Real kFar = 20;  // beyond, sinh and cosh are the same
-  if (loss < Real(0)) return {value - loss * math::tanh(value / width), Real(1)};
+  if (loss < Real(0)) {
+    const Real driven = math::tanh(value / width);
+    return {value - loss * driven, Real(1), -driven};
+  }
   const Real side = value < Real(0) ? Real(-1) : Real(1);
   const Real start = math::abs(value) / width;
   const Real end = start - loss / width;
-  if (end > kFar) return {side * width * end, Real(1)};
+  if (end > kFar) return {side * width * end, Real(1), -side};
   const Real grown = Real(0.5) * math::exp(end);
   const Real near = math::exp_of_nonpositive(Real(-2) * start);
   const Real sinh_end = grown * (Real(1) - near);
   const Real cosh_end = math::sqrt(Real(1) + sinh_end * sinh_end);
-  return {side * width * math::log(sinh_end + cosh_end), grown * (Real(1) + near) / cosh_end};
+  return {side * width * math::log(sinh_end + cosh_end), grown * (Real(1) + near) / cosh_end,
+          -side * sinh_end / cosh_end};
 }
 
 /// Friction in two halves around the rest of a step (Strang), with the turn of a state that changes its side
@@ -39,7 +47,7 @@ FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
 /// step. Gives the state after all of it, and the slope of the last half; both slopes become 1 where the
 /// state drives through, because then friction only delays it.
 ///
-/// For the current, which crosses zero within one step; an axis that turns is `MotionInParts`.
+/// For the current, which crosses zero within one step; an axis that turns is `BrakedMotion`.
 template <class Real>
 FrictionStep<Real> around_a_turn(Real start, FrictionStep<Real>& first, Real free, FrictionStep<Real> last) {
   if (!(start * free < Real(0))) return last;
@@ -71,6 +79,9 @@ constexpr bool is_dry_friction(const EffectForm& form) {
 /// State that a dry friction brakes.
 enum class BrakedState { kSpindleSpeed, kCurrent, kFeedSpeed };
 
+/// Which of the two states of its axis that is: speed and current, or position and speed.
+constexpr std::size_t index_of(BrakedState state) { return state == BrakedState::kSpindleSpeed ? 0 : 1; }
+
 /// What a dry friction acts on in a step of a model.
 template <class Real>
 struct Braking {
@@ -88,6 +99,57 @@ Real blurred(Real width, Real variance) {
   return math::sqrt(width * width + kHalfPi * variance);
 }
 
+/// What is left of a Stribeck friction at a value of its state: of each of its parts for a size of one and of
+/// all of it, and how that changes with the state.
+template <class Real>
+struct Fall {
+  Real near = 0;
+  Real far = 0;
+  Real left = 0;
+  Real by_value = 0;
+
+  Fall(Real value, Real per_range, bool has_bend, Real size, Real bend) {
+    const Real ratio = value * per_range;
+    const Real square = ratio * ratio;
+    near = math::exp_of_nonpositive(-square);
+    if (has_bend) far = math::exp_of_nonpositive(-square / Real(9)) - near;
+    left = size * near + bend * far;
+    // d exp(-(v/r)^2) / dv, and that of exp(-(v/3r)^2) - exp(-(v/r)^2).
+    by_value = Real(-2) * ratio * per_range * (size * near + bend * ((near + far) / Real(9) - near));
+  }
+};
+
+/// A dry friction at one value of its state: what it adds to the state's rate, how that changes with the
+/// state, and what each part of its law would add with a size of one.
+template <class Real>
+struct FrictionAt {
+  Real rate = 0;
+  Real slope = 0;
+  std::array<Real, kFrictionParts> by_part{};
+};
+
+/// A dry friction as it acts during one interval: what does not change meanwhile is worked out once.
+template <class Real>
+struct ActingFriction {
+  Real size = 0;  ///< and the second part's, per what the state's rate is per load
+  Real bend = 0;
+  Real yield = 0;      ///< that
+  Real per_width = 0;  ///< of the side
+  Real per_range = 0;  ///< beyond which it is gone; 0: it stays
+  bool has_bend = false;
+  std::size_t index = 0;  ///< among those of the model
+
+  [[nodiscard]] FrictionAt<Real> at(Real value) const {
+    const Real side = math::tanh(value * per_width);
+    const Real side_slope = per_width * (Real(1) - side * side);
+    if (per_range == Real(0)) return {-size * side, -size * side_slope, {-yield * side}};
+    const Fall<Real> fall(value, per_range, has_bend, size, bend);
+    return {-fall.left * side,
+            -fall.left * side_slope - fall.by_value * side,
+            {-yield * side * fall.near, -yield * side * fall.far}};
+  }
+};
+
 /// A dry friction of known size in a model; the laws are those of `laws::torque`, `laws::force` and
 /// `laws::voltage`.
 template <class Real>
@@ -102,24 +164,40 @@ struct DryFriction {
     return form.effect < Effect::kBrushVoltageDrop ? BrakedState::kFeedSpeed : BrakedState::kCurrent;
   }
 
-  [[nodiscard]] FrictionStep<Real> step(Real value, const Braking<Real>& on,
-                                        const EffectScales<Real>& k) const {
+  [[nodiscard]] RubbedState<Real> step(Real value, const Braking<Real>& on,
+                                       const EffectScales<Real>& k) const {
     const Real reach = static_cast<Real>(form.shape) * reference(k);
     if (is_stribeck(form.effect)) return stribeck(value, on, reach);
-    return friction_step(value, blurred(reach, on.variance), size * on.yield);
+    const auto step = friction_step(value, blurred(reach, on.variance), size * on.yield);
+    return {step.value, step.slope, {on.yield * step.by_loss}};
+  }
+
+  /// As it acts during an interval.
+  [[nodiscard]] ActingFriction<Real> acting(const Braking<Real>& on, const EffectScales<Real>& k) const {
+    const Real reach = static_cast<Real>(form.shape) * reference(k);
+    return {.size = on.yield * size,
+            .bend = on.yield * bend,
+            .yield = on.yield,
+            .per_width = Real(1) / blurred(side_width(reach), on.variance),
+            .per_range = is_stribeck(form.effect) ? Real(1) / reach : Real(0),
+            .has_bend = form.parts > 1};
   }
 
  private:
+  [[nodiscard]] Real side_width(Real reach) const {
+    return is_stribeck(form.effect) ? static_cast<Real>(laws::stribeck_side(form.effect)) * reach : reach;
+  }
   [[nodiscard]] Real reference(const EffectScales<Real>& k) const {
     if (state() == BrakedState::kCurrent) return k.current_a;
     return state() == BrakedState::kFeedSpeed ? k.feed_speed_m_s : k.speed_rad_s;
   }
 
-  [[nodiscard]] FrictionStep<Real> stribeck(Real value, const Braking<Real>& on, Real range) const {
-    Real left = size * laws::breakaway(value, range, 0);
-    if (bend != Real(0)) left += bend * laws::breakaway(value, range, 1);
-    const Real width = static_cast<Real>(laws::stribeck_side(form.effect)) * range;
-    return friction_step(value, blurred(width, on.variance), left * on.yield);
+  /// A faster state is braked less: of a difference more may be left than there was.
+  [[nodiscard]] RubbedState<Real> stribeck(Real value, const Braking<Real>& on, Real range) const {
+    const Fall<Real> fall(value, Real(1) / range, form.parts > 1, size, bend);
+    const auto step = friction_step(value, blurred(side_width(range), on.variance), fall.left * on.yield);
+    const Real by_size = on.yield * step.by_loss;
+    return {step.value, step.slope + by_size * fall.by_value, {by_size * fall.near, by_size * fall.far}};
   }
 };
 

@@ -34,7 +34,7 @@ class FeedObserver {
         step_s_(static_cast<Real>(step_s)),
         noise_(noise),
         process_noise_(shaken(noise.feed_step, step_s_)),
-        in_parts_(static_cast<Real>(machine.feed.viscous_friction_ns_m / machine.feed.mass_kg), step_s_) {
+        braked_(static_cast<Real>(machine.feed.viscous_friction_ns_m / machine.feed.mass_kg), step_s_) {
     const double rate = -machine.feed.viscous_friction_ns_m / machine.feed.mass_kg;
     const auto step = math::exponential_step(math::Matrix2{0.0, 1.0, 0.0, rate}, step_s);
     const auto cast = [](const math::Matrix2& m) {
@@ -139,7 +139,9 @@ class FeedObserver {
     // that sticks does so where it should.
     const Braking<Real> braking{BrakedState::kFeedSpeed, friction_yield_, frame.time_s,
                                 observer_.variance(1)};
-    const auto before = terms_.rub(braking, observer_.mean(1));
+    begin_own_frictions(terms_);
+    const auto before = terms_.rub_own(braking, observer_.mean(1));
+    drift_own_frictions(terms_, exp_);
     const Real v = before.value;
     const Real cut_n = frame.input.contact * (contact_force_n_ * frame.input.engagement + contact_offset_n_);
     const Real rate = (frame.input.feed_force_n - k.feed_viscous_friction_ns_m * v - cut_n) / k.mass_kg;
@@ -149,7 +151,7 @@ class FeedObserver {
     added_ = terms_.applied(middle, false);
     const Real rate_added = added_.force_n / k.mass_kg;
     const Real free_m_s = v + dv + integral_.a11 * rate_added;
-    const auto after = terms_.rub(braking, free_m_s);
+    const auto after = terms_.rub_own(braking, free_m_s);
     const Real rubbed_m_s = v - observer_.mean(1) + after.value - free_m_s;
     Motion<Real> motion{
         .position_m = x + dx + integral_.a01 * rate_added,
@@ -161,24 +163,25 @@ class FeedObserver {
         .rubbed_m_s = rubbed_m_s};
     if constexpr (kApplied > 0) {
       const Real first = v - observer_.mean(1), last = after.value - free_m_s;
-      if (in_parts_.is_needed(first, last))
-        motion = in_parts(braking, first, last, (frame.input.feed_force_n - cut_n) / k.mass_kg + rate_added);
+      if (braked_.is_needed(first, last))
+        motion = in_steps(braking, (frame.input.feed_force_n - cut_n) / k.mass_kg + rate_added);
     }
     added_.force_n += half * motion.rubbed_m_s / friction_yield_;
     if (has_columns_) load_columns(middle, motion.gained_m_s / step_s_, frame.input);
     driven_m_s_ += motion.speed_m_s - observer_.mean(1);
     observer_.predict(motion.position_m, motion.speed_m_s, motion.by_state, motion.by_rate, process_noise_,
                       no_position_, speed_rate_);
+    add_own_frictions(terms_, observer_, kFeedParameters);
   }
 
-  /// `first`, `last`: what friction took in the halves; `free_m_s2`: acceleration of an axis at rest without
-  /// friction.
-  Motion<Real> in_parts(Braking<Real> braking, Real first, Real last, Real free_m_s2) const {
-    return in_parts_.from(observer_.mean(0), observer_.mean(1), first, last, free_m_s2,
-                          [&](Real acting_s, Real speed_m_s) {
-                            braking.yield = acting_s / terms_.scales().mass_kg;
-                            return terms_.rub(braking, speed_m_s);
-                          });
+  /// The interval where friction changes within it; `free_m_s2`: acceleration of an axis at rest without it.
+  Motion<Real> in_steps(Braking<Real> braking, Real free_m_s2) {
+    braking.yield = Real(1) / terms_.scales().mass_kg;
+    terms_.begin_friction(braking);
+    begin_own_frictions(terms_);
+    return braked_.from(
+        observer_.mean(0), observer_.mean(1), free_m_s2, terms_.friction_width(),
+        [this](Real speed_m_s) { return terms_.friction_at(speed_m_s); }, OwnFrictionsInSteps<Terms>{terms_});
   }
 
   void load_columns(const EffectSignals<Real>& s, Real acceleration_m_s2, const PlantInput<Real>& input) {
@@ -218,7 +221,7 @@ class FeedObserver {
   Real step_s_;
   GapNoise<Real> noise_;
   math::BasicMatrix2<Real> process_noise_;
-  std::conditional_t<(kApplied > 0), MotionInParts<Real>, NoParts> in_parts_;
+  std::conditional_t<(kApplied > 0), BrakedMotion<Real>, NoBrakedMotion> braked_;
   math::BasicMatrix2<Real> exp_{};
   math::BasicMatrix2<Real> integral_{};
   Real friction_yield_ = 0;  ///< what half of an interval's friction of 1 N takes from the speed

@@ -131,13 +131,15 @@ class SpindleObserver {
     // that sticks does so where it should.
     const Braking<Real> on_w{BrakedState::kSpindleSpeed, speed_yield_, frame.time_s, observer_.variance(0)};
     const Braking<Real> on_i{BrakedState::kCurrent, current_yield_, frame.time_s, observer_.variance(1)};
-    const auto w0 = terms_.rub(on_w, observer_.mean(0));
-    auto i0 = terms_.rub(on_i, observer_.mean(1));
+    begin_own_frictions(terms_);
+    const auto w0 = terms_.rub_own(on_w, observer_.mean(0));
+    auto i0 = terms_.rub_own(on_i, observer_.mean(1));
     const PlantState<Real> x{w0.value, Real(0), i0.value};
     const auto linear = plant_.linearise(x, frame.input);
     const auto& step = exponential_of(linear.spindle_jacobian);
     const auto& psi = step.integral;
     const auto& f = linear.derivative;
+    drift_own_frictions(terms_, step.exp);
     const Real dw = psi.a00 * f.acceleration_rad_s2 + psi.a01 * f.current_rate_a_s;
     const Real di = psi.a10 * f.acceleration_rad_s2 + psi.a11 * f.current_rate_a_s;
     const EffectSignals<Real> middle = middle_of(frame, x, dw, di);
@@ -146,7 +148,7 @@ class SpindleObserver {
     const Real rate_i = added_.voltage_v / k.inductance_h;
     const Real free_w = x.speed_rad_s + dw + psi.a00 * rate_w + psi.a01 * rate_i;
     const Real free_i = x.current_a + di + psi.a10 * rate_w + psi.a11 * rate_i;
-    const auto w1 = terms_.rub(on_w, free_w);
+    const auto w1 = terms_.rub_own(on_w, free_w);
     const auto i1 = terms_.rub_on(on_i, observer_.mean(1), i0, free_i);
     const Real rubbed_w = w0.value - observer_.mean(0) + w1.value - free_w;
     const Real rubbed_i = i0.value - observer_.mean(1) + i1.value - free_i;
@@ -169,6 +171,7 @@ class SpindleObserver {
     driven_a_ += i1.value - observer_.mean(1);
     observer_.predict(w1.value, i1.value, braked(first, w1.slope, i1.slope), braked(psi, w1.slope, i1.slope),
                       process_noise_, speed_rate_, current_rate_);
+    add_own_frictions(terms_, observer_, kSpindleParameters);
     angle_rad_ += step_s_ * (x.speed_rad_s + half * dw);
   }
 

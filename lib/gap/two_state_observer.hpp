@@ -89,6 +89,12 @@ class TwoStateObserver {
     p11_ = c * phi.a10 + d * phi.a11 + noise.a11;
   }
 
+  /// Adds to what column j has made of the states.
+  void add(std::size_t j, const std::array<Real, 2>& change) {
+    error0_[j] += change[0];
+    error1_[j] += change[1];
+  }
+
   /// Adds the covariance of an input of variance `variance` that moves the states by `gain0` and `gain1`.
   void blur(Real gain0, Real gain1, Real variance) {
     p00_ += gain0 * gain0 * variance;

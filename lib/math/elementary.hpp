@@ -69,7 +69,13 @@ constexpr float tanh(float x) {
   const float positive = size < 9.02F ? 1.0F - 2.0F / (detail::exp_core(size + size) + 1.0F) : 1.0F;
   return x < 0.0F ? -positive : positive;
 }
-inline double tanh(double x) { return std::tanh(x); }
+/// Not beside 0: faster, to the last bits.
+inline double tanh(double x) {
+  const double size = abs(x);
+  if (size < 0.3) return std::tanh(x);
+  const double positive = 1.0 - 2.0 / (std::exp(size + size) + 1.0);
+  return x < 0.0 ? -positive : positive;
+}
 
 template <class Real>
 struct SinCos {

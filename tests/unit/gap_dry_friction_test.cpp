@@ -106,6 +106,39 @@ TEST(DryFriction, HalvesStayWhereNothingTurnsOrFrictionHolds) {
     }
 }
 
+/// Friction of 2 and, of its second part, -0.7, within a range of 0.5; a reference speed of one.
+DryFriction<double> curve(double size = 2.0, double bend = -0.7) {
+  return {{.effect = Effect::kFeedStribeckFriction, .parts = 2, .shape = 0.5F}, size, bend};
+}
+double after(const DryFriction<double>& friction, double speed) {
+  EffectScales<double> scales;
+  scales.feed_speed_m_s = 1.0;
+  return friction.step(speed, {.state = BrakedState::kFeedSpeed, .yield = 0.1, .variance = 1.0e-4}, scales)
+      .value;
+}
+
+// What falls with the speed lets differences grow; an observer that does not know that trusts itself too
+// much, and no parameter beside it is right.
+TEST(DryFriction, ThatFallsWithTheSpeedKnowsItsDerivatives) {
+  constexpr double kStep = 1.0e-6;
+  EffectScales<double> scales;
+  scales.feed_speed_m_s = 1.0;
+  for (const double speed : {-1.2, -0.3, -0.02, 0.004, 0.1, 0.45, 0.9}) {
+    const auto one =
+        curve().step(speed, {.state = BrakedState::kFeedSpeed, .yield = 0.1, .variance = 1.0e-4}, scales);
+    const auto slope = [&](const auto& more, const auto& less) { return (more - less) / (2.0 * kStep); };
+    EXPECT_NEAR(one.slope, slope(after(curve(), speed + kStep), after(curve(), speed - kStep)), 1.0e-6)
+        << speed;
+    EXPECT_NEAR(one.by_part[0], slope(after(curve(2.0 + kStep), speed), after(curve(2.0 - kStep), speed)),
+                1.0e-6)
+        << speed;
+    EXPECT_NEAR(one.by_part[1],
+                slope(after(curve(2.0, -0.7 + kStep), speed), after(curve(2.0, -0.7 - kStep), speed)), 1.0e-6)
+        << speed;
+  }
+  EXPECT_GT(curve().step(0.3, {.yield = 0.1}, scales).slope, 1.0);
+}
+
 TEST(DryFriction, StopsAndDoesNotTurnRoundWhateverItsSize) {
   for (const float loss : {1.0F, 1.0e3F, 1.0e9F}) {
     const auto stuck = friction_step(0.3F, 0.2F, loss);

@@ -84,11 +84,16 @@ std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& 
   noise.feed_step /= std::sqrt(count);
   auto observer = std::make_unique<Observer>(machine, model.point, 1.0 / (count * signals.rate_hz), noise);
   if (disturbances == nullptr) observer->leave_out_columns();
+  const auto apply = [&] {
+    for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
+    for (const gap::AppliedEffect& effect : model.effects) observer->terms().apply(effect);
+  };
+  const bool are_compared = disturbances != nullptr && disturbances->are_compared;
+  if (are_compared) apply();
   for (std::size_t i = 0; disturbances != nullptr && i < disturbances->forms.size(); ++i)
     observer->terms().add(disturbances->forms[i],
                           disturbances->onset_s.empty() ? 0.0 : disturbances->onset_s[i]);
-  for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
-  for (const gap::AppliedEffect& effect : model.effects) observer->terms().apply(effect);
+  if (!are_compared) apply();
   observer->terms().look_back([&signals](double time_s) { return signals.cutting_time_at(time_s); });
   return observer;
 }

@@ -37,6 +37,9 @@ std::size_t parameter_count(Axis axis);
 struct Disturbances {
   std::span<const gap::EffectForm> forms{};
   std::span<const double> onset_s{};  ///< one per form; empty: all from the start
+  /// Are columns of one law to be compared with each other? Then those of the model's own dry friction are no
+  /// better than the others.
+  bool are_compared = false;
 
   Disturbances() = default;
   template <class Forms>

@@ -92,7 +92,7 @@ void begin_with_one_step(const AxisFit& start, AxisFit& best, AxisFit& other) {
 
 AxisFit with_model_of(const AxisFit& other, AxisFit fit) {
   fit.change_model() = other.model();
-  fit.allow_noise_up_to(other.most_noise_share());
+  fit.allow_noise_like(other);
   fit.set_whitening(other.whitening());
   return fit;
 }
@@ -166,7 +166,7 @@ std::optional<AxisFit> fit_of_beginning(const AxisFit& fitted) {
   constexpr double kMuchBetter = 0.1;  // deviance per row
   const RecordingSignals beginning = beginning_of(fitted.signals(), fitted.signals().rows / 3);
   AxisFit start(fitted.axis(), beginning, fitted.datasheet());
-  start.allow_noise_up_to(fitted.most_noise_share());
+  start.allow_noise_like(fitted);
   const AxisFit of_all = with_model_of(fitted, start);
   const std::vector<AxisFit> alone = nominal_fits(start);
   const double gain = of_all.unlikeliness_as_it_is() - alone.front().unlikeliness();

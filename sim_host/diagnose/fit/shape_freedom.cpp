@@ -114,7 +114,9 @@ Eigen::VectorXd errors_of_columns(const AxisFit& fit) {
   const FreeShapes shapes(fit);
   if (shapes.freedoms() == 0) return {};
   const SizeColumns sizes(shapes.effects());
-  const GapStatistics statistics = fit.collect_with(sizes.disturbances());
+  Disturbances disturbances = sizes.disturbances();
+  disturbances.are_compared = true;
+  const GapStatistics statistics = fit.collect_with(disturbances);
   Eigen::MatrixXd moments = statistics.total();
   if (moments.cols() == 0) return {};
   moments = shapes.of(sizes.of(moments, parameter_count(fit.axis())));

@@ -7,6 +7,7 @@
 
 #include "sim_host/diagnose/fit/nominal_fit.hpp"
 #include "sim_host/diagnose/search/candidate_forms.hpp"
+#include "sim_host/diagnose/search/earlier_friction.hpp"
 #include "sim_host/diagnose/search/effect_duel.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
@@ -154,6 +155,7 @@ class DiagnosisSearch {
     if (contains_force(chosen)) left_out_.push_back(gap::Effect::kFeedForceOffset);
     before_newest_ = std::exchange(fit_, std::move(winner));
     if (fit_.model().effects.size() > 1) begin_from_the_start();
+    if (needs_noise(fit_)) sharpen_earlier_frictions(fit_);
     diagnosis_.found.push_back({.effect = fit_.model().effects.back(),
                                 .evidence = ranked.front().evidence,
                                 .rivals = std::move(ranked)});

@@ -160,7 +160,7 @@ bool acts_the_wrong_way(const gap::AppliedEffect& effect, const AxisFit& fit) {
 
 AxisFit at_datasheet(const AxisFit& fit) {
   AxisFit anew(fit.axis(), fit.signals(), fit.datasheet());
-  anew.allow_noise_up_to(fit.most_noise_share());
+  anew.allow_noise_like(fit);
   anew.change_model().effects = fit.model().effects;
   return anew;
 }
