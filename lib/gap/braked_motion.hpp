@@ -56,13 +56,10 @@ class BrakedMotion {
   BrakedMotion(Real braking_per_s, Real interval_s)
       : braking_per_s_(braking_per_s), interval_s_(interval_s) {}
 
-  /// Does friction that took `first` in half of the interval before the rest and `last` in the other change?
   /// Over several milliseconds an input is a mean of what moved the axis, and does not tell when it turned;
   /// of a real axis, a ball screw seen at 200 Hz, a sharp turn at the wrong time left 3 N of presliding.
-  [[nodiscard]] bool is_needed(Real first, Real last) const {
-    constexpr Real kSame = Real(0.002), kTellsTurnsS = Real(4.0e-3);
-    return interval_s_ <= kTellsTurnsS && math::abs(first - last) > kSame * math::abs(first);
-  }
+  /// Halves of friction around the interval do there.
+  [[nodiscard]] bool tells_turns() const { return interval_s_ <= Real(4.0e-3); }
 
   /// `free_m_s2`: acceleration of an axis at rest without friction; `width_m_s`: of friction's side;
   /// `friction_at(speed_m_s)`: acceleration by it, and how that changes; `follow(growth, step_s)`: a step is

@@ -163,7 +163,7 @@ class FeedObserver {
         .rubbed_m_s = rubbed_m_s};
     if constexpr (kApplied > 0) {
       const Real first = v - observer_.mean(1), last = after.value - free_m_s;
-      if (braked_.is_needed(first, last))
+      if (braked_.tells_turns() && (first != Real(0) || last != Real(0)))
         motion = in_steps(braking, (frame.input.feed_force_n - cut_n) / k.mass_kg + rate_added);
     }
     added_.force_n += half * motion.rubbed_m_s / friction_yield_;
@@ -174,7 +174,7 @@ class FeedObserver {
     add_own_frictions(terms_, observer_, kFeedParameters);
   }
 
-  /// The interval where friction changes within it; `free_m_s2`: acceleration of an axis at rest without it.
+  /// The interval where dry friction acts; `free_m_s2`: acceleration of an axis at rest without it.
   Motion<Real> in_steps(Braking<Real> braking, Real free_m_s2) {
     braking.yield = Real(1) / terms_.scales().mass_kg;
     terms_.begin_friction(braking);

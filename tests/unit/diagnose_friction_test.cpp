@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "sim_host/diagnose/fit/axis_fit.hpp"
-#include "sim_host/diagnose/search/newest_effect.hpp"
+#include "sim_host/diagnose/search/friction_shape.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::host {

@@ -7,11 +7,11 @@
 
 #include "sim_host/diagnose/fit/nominal_fit.hpp"
 #include "sim_host/diagnose/search/candidate_forms.hpp"
-#include "sim_host/diagnose/search/earlier_friction.hpp"
 #include "sim_host/diagnose/search/effect_duel.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
 #include "sim_host/diagnose/search/friction_and_drag.hpp"
+#include "sim_host/diagnose/search/friction_shape.hpp"
 #include "sim_host/diagnose/search/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
 

@@ -9,7 +9,7 @@
 #include "sim_host/diagnose/search/angle_evidence.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
-#include "sim_host/diagnose/search/newest_effect.hpp"
+#include "sim_host/diagnose/search/friction_shape.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {

@@ -11,6 +11,7 @@
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/diagnose/fit/shape_freedom.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
+#include "sim_host/diagnose/search/friction_shape.hpp"
 #include "sim_host/diagnose/search/newest_effect.hpp"
 #include "sim_host/support/in_parallel.hpp"
 

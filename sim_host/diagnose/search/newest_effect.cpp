@@ -10,37 +10,15 @@
 
 #include "sim_host/diagnose/search/candidate_forms.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
+#include "sim_host/diagnose/search/likelier_variant.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
 namespace morepro::host {
 namespace {
 
-constexpr float kNarrowest = 0.02F;  // share of the shape that a linearisation shows
-constexpr double kSharper = 2.0;     // deviance that another shape has to gain
-constexpr int kRounds = 2;
 // Before an onset that is known to half a block nothing depends on it; behind it an effect may need long to
 // show.
 constexpr double kBeforeOnsetS = 1.0;
-
-/// Takes the variants of a trial that are likelier, with everything refitted: `vary(effect, value)` makes
-/// one of the newest effect, or gives false where there is none. Was there any? A size that a valley leads
-/// along without an end is not followed for ever: twelve thousand variants of a friction took 150 s.
-template <class Value, std::size_t kCount, class Vary>
-bool take_likelier(AxisFit& trial, const std::array<Value, kCount>& values, Vary vary) {
-  constexpr int kMostTimes = 25;
-  bool has_changed = false;
-  for (const Value value : values) {
-    for (int times = 0; times < kMostTimes; ++times) {
-      AxisFit other = trial;
-      if (!vary(other.change_model().effects.back(), value)) break;
-      other.refit(trial.promised_in_vain());
-      if (!(other.unlikeliness() < trial.unlikeliness() - kSharper)) break;
-      trial = std::move(other);
-      has_changed = true;
-    }
-  }
-  return has_changed;
-}
 
 /// Exchanges the time constant of a drive's lag with the axis's own, where that leaves parameters that a
 /// datasheet may have. Does it?
@@ -60,72 +38,6 @@ bool exchange_lags(GapModel& model) {
   else
     feed.mass_kg = lag_s * feed.viscous_friction_ns_m;
   return true;
-}
-
-/// Noise and the rest in turns, unless that leads away: a round of noise may make a fitted model less likely
-/// by a thousand, where a machine is not quite like it.
-void settle_fitted(AxisFit& fit) {
-  const AxisFit fitted = fit;
-  fit.settle(kRounds);
-  if (!(fit.unlikeliness() < fitted.unlikeliness())) fit = fitted;
-}
-
-/// Is there so much noise that nothing that hides in it is worth a search beside little? Deviance that it
-/// takes per row: where such a search led anywhere up to 0.53, on a measured axis, where it never did, 8.6.
-bool is_real_noise(const AxisFit& quiet, const AxisFit& loud) {
-  constexpr double kMost = 2.0;
-  const double rows = static_cast<double>(quiet.signals().rows) / (quiet.is_narrow() ? 4.0 : 1.0);
-  return quiet.unlikeliness() - loud.unlikeliness() > kMost * rows;
-}
-
-/// How sure a state is depends on the friction that holds it; no linearisation knows that, so that sizes are
-/// tried too. Where a fit comes back from far more and from far less it does so from what lies between.
-bool search_size(AxisFit& trial) {
-  constexpr double kSame = 10.0;  // deviance, between fits that ended in one place
-  const auto resize = [](gap::AppliedEffect& effect, float factor) {
-    for (double& part : effect.coefficient) part *= static_cast<double>(factor);
-    return true;
-  };
-  const auto comes_back_from = [&](float factor) {
-    AxisFit other = trial;
-    resize(other.change_model().effects.back(), factor);
-    other.refit(trial.promised_in_vain());
-    return std::fabs(other.unlikeliness() - trial.unlikeliness()) < kSame;
-  };
-  if (comes_back_from(2.5F) && comes_back_from(0.6F)) return false;
-  return take_likelier(trial, std::array{2.5F, 1.6F, 0.6F, 1.2F, 0.9F}, resize);
-}
-
-/// Takes the shape of the newest effect at which a parabola through what three of them are worth has its
-/// vertex: its own, and one on each side, as far as `spread`, a share of it. Is it another one?
-bool take_vertex(AxisFit& trial, double spread) {
-  const auto at = [&trial](double share) {
-    AxisFit other = trial;
-    other.change_model().effects.back().form.shape *= static_cast<float>(1.0 + share);
-    other.refit(trial.promised_in_vain());
-    return other;
-  };
-  const double own = trial.unlikeliness();
-  const double narrower = at(-spread).unlikeliness(), wider = at(spread).unlikeliness();
-  const double bend = narrower + wider - 2.0 * own;
-  if (!(bend > 0.0) || !std::isfinite(bend)) return false;
-  AxisFit other = at(std::clamp(0.5 * (narrower - wider) / bend, -1.0, 1.0) * spread);
-  if (!(other.unlikeliness() < own - kSharper)) return false;
-  trial = std::move(other);
-  return true;
-}
-
-/// Searches for the width of a fitted friction, up to a share of what was seen, and for its size. Was there a
-/// likelier one?
-bool search_friction(AxisFit& trial, float seen, float widest_share) {
-  const auto reshape = [seen, widest_share](gap::AppliedEffect& effect, float factor) {
-    effect.form.shape *= factor;
-    return effect.form.shape >= kNarrowest * seen && effect.form.shape <= widest_share * seen;
-  };
-  bool has_shape =
-      take_likelier(trial, std::array{0.2F, 0.4F, 1.7F, 0.7F, 0.85F, 1.15F, 0.95F, 1.05F}, reshape);
-  for (const double spread : {0.03, 0.01}) has_shape |= take_vertex(trial, spread);
-  return search_size(trial) || has_shape;
 }
 
 /// Searches for a shaft's damping and for its resonance, in `factors` of what it has, in turns.
@@ -193,14 +105,6 @@ void take_yield(AxisFit bristle, Yields yields, AxisFit& trial) {
   if (bristle.unlikeliness() < trial.unlikeliness() - kSharper) trial = std::move(bristle);
 }
 
-/// Takes the bend out of its law.
-void straighten_newest(AxisFit& trial) {
-  gap::AppliedEffect& newest = trial.change_model().effects.back();
-  newest.form.parts = 1;
-  newest.coefficient[1] = 0.0;
-  trial.polish();
-}
-
 // Of friction that grows with another power of the speed than the first: its slope as a share of the speed,
 // at the fastest over at rest. What is bent further is another law: a bump in the way had 0.31, powers of 1.1
 // and 1.25 1.1 .. 2.5.
@@ -218,33 +122,6 @@ bool is_hidden_bend(const GapModel& model, std::size_t index) {
 }
 
 }  // namespace
-
-// Process noise that was fitted to too little friction hides friction, and the other way round: one search
-// begins with what there is, the other with little noise.
-void sharpen_newest(AxisFit& trial, float widest_share) {
-  const float seen = trial.model().effects.back().form.shape;
-  AxisFit sharper = trial;
-  sharper.narrow_down();
-  AxisFit quiet = sharper;
-  quiet.expect_little_noise();
-  in_parallel(2, [&](std::size_t i) { (i == 0 ? sharper : quiet).refit(); });
-  const bool is_loud = is_real_noise(quiet, sharper);
-  bool has_changed = false;
-  in_parallel(is_loud ? 1 : 2, [&](std::size_t i) {
-    AxisFit& fit = i == 0 ? sharper : quiet;
-    const bool is_other = search_friction(fit, seen, widest_share);
-    settle_fitted(fit);
-    if (i == 0) has_changed = is_other;
-  });
-  if (quiet.unlikeliness() < sharper.unlikeliness() - kSharper) {
-    sharper = std::move(quiet);
-    has_changed = true;
-  }
-  if (!has_changed) return;
-  sharper.widen();
-  sharper.polish();
-  if (sharper.unlikeliness() < trial.unlikeliness()) trial = std::move(sharper);
-}
 
 bool bends_too_far(const gap::AppliedEffect& effect, double fastest_m_s, double reference_m_s) {
   if (effect.form.effect != gap::Effect::kFeedAsymmetricFriction || effect.form.parts < 2) return false;
@@ -275,22 +152,6 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
   other.polish();
   if (is_too_far(trial) || (gain() > (is_bent ? -price : price) && !is_too_far(other)))
     trial = std::move(other);
-}
-
-// From the plain law, too: a bend does the work of a wrong range.
-void sharpen_range_of_newest(AxisFit& trial) {
-  constexpr float kAnyRange = 3.0F;  // share of the shape that a linearisation shows
-  const bool is_bent = trial.model().effects.back().form.parts > 1;
-  AxisFit plain = trial;
-  in_parallel(is_bent ? 2 : 1, [&](std::size_t i) {
-    if (i == 1) straighten_newest(plain);
-    sharpen_newest(i == 0 ? trial : plain, kAnyRange);
-    if (i == 1) weigh_bend(plain, plain.model().effects.size() - 1);
-  });
-  if (!is_bent) return;
-  const double price = std::log(static_cast<double>(plain.signals().rows) + 2.0);
-  const double saved = plain.model().effects.back().form.parts == 1 ? price : 0.0;
-  if (plain.unlikeliness() < trial.unlikeliness() + saved) trial = std::move(plain);
 }
 
 // What is fitted to another way to yield, or to the wrong distance, hides this one: it begins with little

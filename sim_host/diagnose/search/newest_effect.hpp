@@ -3,13 +3,6 @@
 
 namespace morepro::host {
 
-/// Searches for shape and size of the model's newest effect, a dry friction, now that it acts in the model:
-/// before, the sensors' noise blurs it. `widest_share` of the shape that it has is the most that it can be.
-void sharpen_newest(AxisFit& trial, float widest_share);
-
-/// The same for the range of Stribeck friction, with and without its bend.
-void sharpen_range_of_newest(AxisFit& trial);
-
 /// Lets the model's newest effect, dry friction of the spindle, bend before it slides, where that is more
 /// likely.
 void weigh_bristle(AxisFit& trial);
