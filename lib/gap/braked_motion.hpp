@@ -1,8 +1,6 @@
 #pragma once
 #include <algorithm>
-#include <cstddef>
 #include <limits>
-#include <type_traits>
 
 #include "lib/gap/dry_friction.hpp"
 #include "lib/math/matrix_exponential.hpp"
@@ -20,6 +18,7 @@ struct Motion {
   math::BasicMatrix2<Real> by_rate{};
   Real gained_m_s = 0;  ///< of speed
   Real rubbed_m_s = 0;  ///< of it by dry friction
+  Real rubbing_s = 1;   ///< for how long its mean did that
 };
 
 /// For how long a friction has to act before and after a step, so that one that does not change is right:
@@ -28,20 +27,6 @@ template <class Real>
 Real half_of(Real integral_s, Real kept) {
   return integral_s / (Real(1) + kept);
 }
-
-/// A small difference of a speed and what it has become of the position, over steps in which it grows at one
-/// rate.
-template <class Real>
-struct Difference {
-  Real speed = 0;
-  Real position = 0;
-
-  /// `growth`: of a rate times the step; `push`: what is added to the speed's rate meanwhile.
-  void advance(const math::PhiFunctions<Real>& growth, Real step_s, Real push) {
-    position += step_s * (growth.phi1 * speed + step_s * growth.phi2 * push);
-    speed = growth.exp * speed + step_s * growth.phi1 * push;
-  }
-};
 
 /// The interval of an axis that turns, creeps, sticks or breaks away within it: dry friction changes with the
 /// speed. Steps of an exponential method of third order (Hochbruck and Ostermann's exprb32), which takes what
@@ -63,10 +48,11 @@ class BrakedMotion {
 
   /// `free_m_s2`: acceleration of an axis at rest without friction; `width_m_s`: of friction's side;
   /// `friction_at(speed_m_s)`: acceleration by it, and how that changes; `follow(growth, step_s)`: a step is
-  /// done, in which differences of the speed grow so.
+  /// done, in which differences of the speed grow so. False where there is no time for all the steps; then
+  /// `motion` is as it was.
   template <class Friction, class Follow>
-  [[nodiscard]] Motion<Real> from(Real position_m, Real speed_m_s, Real free_m_s2, Real width_m_s,
-                                  Friction friction_at, Follow follow) const {
+  [[nodiscard]] bool move(Real position_m, Real speed_m_s, Real free_m_s2, Real width_m_s,
+                          Friction friction_at, Follow follow, Motion<Real>& motion) const {
     const Real tolerance_m_s = kTolerance * width_m_s;
     Difference<Real> by_speed{.speed = Real(1)}, by_rate;
     Difference<Real> moved{.speed = speed_m_s};
@@ -74,16 +60,19 @@ class BrakedMotion {
     follow.begin();
     Real left_s = interval_s_, step_s = interval_s_;
     for (int tries = 0; left_s > Real(0); ++tries) {
-      const bool is_last_try = tries >= kMostTries;
-      step_s = is_last_try ? left_s : std::min(step_s, before_zero(moved.speed, here.rate, width_m_s));
+      if (tries == kMostTries) return false;
+      step_s =
+          std::min({step_s, before_zero(moved.speed, here.rate, width_m_s), before_overflow(here.slope)});
       const math::PhiFunctions<Real> own(step_s * here.slope);
       const Real ahead = step_s * own.phi1 * here.rate;
       const Real near_m_s = moved.speed + ahead;
       const Rate there = rate_of(friction_at(near_m_s), near_m_s, free_m_s2);
       const Real rest = there.rate - here.rate - here.slope * ahead;
       const Real correction = Real(2) * step_s * own.phi3 * rest;
-      const Real error = math::abs(correction);
-      if (error > tolerance_m_s && !is_last_try) {
+      // Where the tangent meets friction again on the other side there is no rest, by chance; slopes tell.
+      const Real bent = step_s * own.phi3 * (there.slope - here.slope) * ahead;
+      const Real error = std::max(math::abs(correction), math::abs(bent));
+      if (error > tolerance_m_s) {
         step_s *= error > Real(8) * tolerance_m_s ? Real(0.25) : Real(0.5);
         continue;
       }
@@ -98,18 +87,19 @@ class BrakedMotion {
       step_s = std::min(error < tolerance_m_s / Real(8) ? Real(4) * step_s : step_s, left_s);
     }
     const Real gained = moved.speed - speed_m_s;
-    return {.position_m = position_m + moved.position,
-            .speed_m_s = moved.speed,
-            .by_state = {Real(1), by_speed.position, Real(0), by_speed.speed},
-            .by_rate = {interval_s_, by_rate.position, Real(0), by_rate.speed},
-            .gained_m_s = gained,
-            .rubbed_m_s = gained - free_m_s2 * interval_s_ + braking_per_s_ * moved.position};
+    motion = {.position_m = position_m + moved.position,
+              .speed_m_s = moved.speed,
+              .by_state = {Real(1), by_speed.position, Real(0), by_speed.speed},
+              .by_rate = {interval_s_, by_rate.position, Real(0), by_rate.speed},
+              .gained_m_s = gained,
+              .rubbed_m_s = gained - free_m_s2 * interval_s_ + braking_per_s_ * moved.position,
+              .rubbing_s = interval_s_};
+    return true;
   }
 
  private:
-  // Of the width, and for the time that a board has.
-  static constexpr Real kTolerance = std::is_same_v<Real, float> ? Real(0.01) : Real(0.001);
-  static constexpr int kMostTries = 128;
+  static constexpr Real kTolerance = Real(0.001);  // of the width
+  static constexpr int kMostTries = 512;  // 142 were the most of two thousand, of curves crossed fast
 
   /// How long a step may be that leads towards zero from where friction does not change yet: it does from
   /// some widths on.
@@ -119,6 +109,12 @@ class BrakedMotion {
     if (!(speed_m_s * rate_m_s2 < Real(0)) || size < kFar * width_m_s)
       return std::numeric_limits<Real>::max();
     return (size - kNear * width_m_s) / math::abs(rate_m_s2);
+  }
+
+  /// The same where a friction that drives lets differences grow.
+  static Real before_overflow(Real slope_per_s) {
+    constexpr Real kMostGrowth = Real(40);
+    return slope_per_s > Real(0) ? kMostGrowth / slope_per_s : std::numeric_limits<Real>::max();
   }
 
   struct Rate {

@@ -86,14 +86,15 @@ class ColumnSet {
     }
   }
   /// Takes the dry friction of the model as it acts during an interval; `on.yield`: by how much a load of one
-  /// changes the rate of the state.
-  void begin_friction(const Braking<Real>& on) {
+  /// changes the rate of the state. Does any act?
+  bool begin_friction(const Braking<Real>& on) {
     acting_ = 0;
     for (std::size_t i = 0; i < frictions_; ++i) {
       if (!acts(i, on)) continue;
       acting_friction_[acting_] = friction_[i].acting(on, scales_);
       acting_friction_[acting_++].index = i;
     }
+    return acting_ > 0;
   }
   /// All of it at one value of its state.
   FrictionAt<Real> friction_at(Real value) {
@@ -106,7 +107,7 @@ class ColumnSet {
     }
     return all;
   }
-  /// The least width in which one of them changes its side.
+  /// The least width in which one of them changes its side, where any acts.
   [[nodiscard]] Real friction_width() const {
     Real most_per_width = 0;
     for (std::size_t i = 0; i < acting_; ++i)

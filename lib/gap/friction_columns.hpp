@@ -19,6 +19,20 @@ struct RubbedState {
   std::array<Real, kFrictionParts> by_part{};
 };
 
+/// A small difference of a speed, and what it has become of a position, over steps in which it grows at one
+/// rate.
+template <class Real>
+struct Difference {
+  Real speed = 0;
+  Real position = 0;
+
+  /// `growth`: of a rate times the step; `push`: what is added to the speed's rate meanwhile.
+  void advance(const math::PhiFunctions<Real>& growth, Real step_s, Real push) {
+    position += step_s * (growth.phi1 * speed + step_s * growth.phi2 * push);
+    speed = growth.exp * speed + step_s * growth.phi1 * push;
+  }
+};
+
 /// What a little more of the model's own dry frictions changes in two states during an interval, followed
 /// through all the steps that it is integrated in. A friction that holds its state changes nothing at all,
 /// and one that falls with the speed the more the longer it lasts: the value of its law in the middle of the
@@ -62,9 +76,9 @@ class FrictionColumns {
     for (std::size_t i = 0; i < count_; ++i) {
       One& one = one_[i];
       const Real push = Real(0.5) * (one.rate_here + one.rate_there);
-      auto& [position, speed] = one.change;
-      position += step_s * (growth.phi1 * speed + step_s * growth.phi2 * push);
-      speed = growth.exp * speed + step_s * growth.phi1 * push;
+      Difference<Real> difference{.speed = one.change[1], .position = one.change[0]};
+      difference.advance(growth, step_s, push);
+      one.change = {difference.position, difference.speed};
       one.rate_here = one.rate_there;
     }
   }

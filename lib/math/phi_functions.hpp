@@ -4,7 +4,7 @@
 namespace morepro::math {
 
 /// exp(z) and phi_k(z), the sum of z^i / (i + k)! over i: what a rate that grows like t^(k - 1) adds to a
-/// state whose differences grow like exp(z t). Relative error below 1e-9 in double, 3e-4 in float; z
+/// state whose differences grow like exp(z t). Relative error below 1e-9 in double, 1e-3 in float; z
 /// below 80.
 template <class Real>
 struct PhiFunctions {

@@ -19,7 +19,7 @@ struct PlaceAndSpeed {
 
 /// The same axis in small steps of second order.
 PlaceAndSpeed way_of(double speed_m_s, double free_m_s2, double side_m_s = kSideM_s) {
-  constexpr int kSteps = 20000;
+  constexpr int kSteps = 4000;
   constexpr double kS = kIntervalS / kSteps;
   const auto rate = [free_m_s2, side_m_s](double v) {
     return free_m_s2 - kBrakingPerS * v - kFrictionM_s2 * std::tanh(v / side_m_s);
@@ -46,13 +46,15 @@ Motion<Real> interval_of(Real speed_m_s, Real free_m_s2, Real side_m_s = Real(kS
   const BrakedMotion<Real> braked{static_cast<Real>(kBrakingPerS), static_cast<Real>(kIntervalS)};
   const ActingFriction<Real> friction{
       .size = Real(kFrictionM_s2), .yield = Real(1), .per_width = Real(1) / side_m_s};
-  return braked.from(
+  Motion<Real> motion;
+  EXPECT_TRUE(braked.move(
       Real(0), speed_m_s, free_m_s2, side_m_s,
       [&](Real v) {
         if (asked != nullptr) ++*asked;
         return friction.at(v);
       },
-      Unwatched{});
+      Unwatched{}, motion));
+  return motion;
 }
 
 // Slow and fast beside the width of the side, and forces that hold it, let it creep, turn it or break it
@@ -105,13 +107,30 @@ TEST(BrakedMotion, KnowsWhatIsLeftOfASmallDifference) {
     }
 }
 
+// A slide that turns: friction's mean over the fine steps.
 TEST(BrakedMotion, TellsWhatFrictionTook) {
-  for (const double speed : kSpeeds) {
-    const auto motion = interval_of(speed, 2.8);
-    EXPECT_NEAR(motion.gained_m_s, motion.speed_m_s - speed, 1.0e-15);
-    EXPECT_NEAR(motion.rubbed_m_s, motion.gained_m_s - 2.8 * kIntervalS + kBrakingPerS * motion.position_m,
-                1.0e-15);
+  constexpr int kParts = 1000;
+  const double speed = -1.0e-3, free = 2.8;
+  double rubbed = 0.0, v = speed;
+  for (int i = 0; i < kParts; ++i) {
+    const double rate = free - kBrakingPerS * v - kFrictionM_s2 * std::tanh(v / kSideM_s);
+    const double middle = v + 0.5 * kIntervalS / kParts * rate;
+    rubbed -= kIntervalS / kParts * kFrictionM_s2 * std::tanh(middle / kSideM_s);
+    v += kIntervalS / kParts * (free - kBrakingPerS * middle - kFrictionM_s2 * std::tanh(middle / kSideM_s));
   }
+  const auto motion = interval_of(speed, free);
+  EXPECT_NEAR(motion.rubbed_m_s, rubbed, 2.0e-3 * kSideM_s);
+  EXPECT_EQ(motion.rubbing_s, kIntervalS);
+}
+
+// The tangent of friction at the first speed meets it again on the other side: a whole interval seemed to be
+// right there, and ended at 44 widths instead of 26.
+TEST(BrakedMotion, IsNotDeceivedWhereATangentMeetsFrictionAgain) {
+  for (double speed = -3.0 * kSideM_s; speed < 0.0; speed += 0.01 * kSideM_s)
+    for (const double free : {3.5, 5.0, 5.38, 6.5, 9.0}) {
+      const auto motion = interval_of(speed, free);
+      EXPECT_NEAR(motion.speed_m_s, way_of(speed, free).speed_m_s, 5.0e-3 * kSideM_s) << speed << " " << free;
+    }
 }
 
 // What has come to rest takes one step, two looks at friction; what turns takes some, around zero.
@@ -137,11 +156,11 @@ TEST(BrakedMotion, HoldsAnAxisWithASideAsSharpAsAKnife) {
       const PlaceAndSpeed truth = way_of(speed, free, 1.0e-6);
       EXPECT_NEAR(motion.speed_m_s, truth.speed_m_s, 5.0e-6) << speed << " " << free;
       EXPECT_NEAR(motion.position_m, truth.position_m, 5.0e-9) << speed << " " << free;
-      EXPECT_LE(asked, 200);
+      EXPECT_LE(asked, 120);
     }
 }
 
-// To the hundredth of a width that a board's steps may be wrong by.
+// As far as float tells a speed: to a hundredth of the width.
 TEST(BrakedMotion, IsNearlyTheSameInFloat) {
   constexpr double kOfWidth = 1.0e-2 * kSideM_s;
   for (const double speed : kSpeeds)

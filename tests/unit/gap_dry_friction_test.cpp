@@ -139,6 +139,30 @@ TEST(DryFriction, ThatFallsWithTheSpeedKnowsItsDerivatives) {
   EXPECT_GT(curve().step(0.3, {.yield = 0.1}, scales).slope, 1.0);
 }
 
+// The same law as in the closed form, and its derivatives: by the state, and by each of its sizes.
+TEST(ActingFriction, KnowsItsDerivatives) {
+  constexpr double kStep = 1.0e-6;
+  EffectScales<double> scales;
+  scales.feed_speed_m_s = 1.0;
+  const Braking<double> on{.state = BrakedState::kFeedSpeed, .yield = 0.3, .variance = 1.0e-4};
+  const DryFriction<double> plain{{.effect = Effect::kFeedCoulombFriction, .shape = 0.05F}, 2.0};
+  for (const auto& friction : {curve(), plain})
+    for (const double speed : {-1.2, -0.3, -0.02, 0.004, 0.1, 0.45, 0.9}) {
+      const auto rate = [&](double v, double more_size, double more_bend) {
+        const DryFriction<double> other{friction.form, friction.size + more_size, friction.bend + more_bend};
+        return other.acting(on, scales).at(v).rate;
+      };
+      const FrictionAt<double> at = friction.acting(on, scales).at(speed);
+      EXPECT_NEAR(at.slope, (rate(speed + kStep, 0, 0) - rate(speed - kStep, 0, 0)) / (2.0 * kStep), 1.0e-6);
+      EXPECT_NEAR(at.by_part[0], (rate(speed, kStep, 0) - rate(speed, -kStep, 0)) / (2.0 * kStep), 1.0e-8);
+      EXPECT_NEAR(at.by_part[1], (rate(speed, 0, kStep) - rate(speed, 0, -kStep)) / (2.0 * kStep), 1.0e-8);
+      // Over a step that is too short for anything to change, the closed form takes just as much.
+      const Braking<double> short_step{.state = on.state, .yield = 1.0e-9, .variance = on.variance};
+      EXPECT_NEAR((friction.step(speed, short_step, scales).value - speed) * on.yield / 1.0e-9, at.rate,
+                  1.0e-5);
+    }
+}
+
 TEST(DryFriction, StopsAndDoesNotTurnRoundWhateverItsSize) {
   for (const float loss : {1.0F, 1.0e3F, 1.0e9F}) {
     const auto stuck = friction_step(0.3F, 0.2F, loss);

@@ -38,7 +38,8 @@ class AxisFit {
   /// noise that is always there, and the controller answers the sensors' noise, an observer that trusts its
   /// sensors finds that answer in its own error, as the work of a mass that is tens of times lighter.
   void allow_noise_up_to(double share) { noise_bounds_.most_share = share; }
-  /// Both as in another fit.
+  [[nodiscard]] double most_noise_share() const { return noise_bounds_.most_share; }
+  /// The least and the most as in another fit.
   void allow_noise_like(const AxisFit& other) { noise_bounds_ = other.noise_bounds_; }
 
   /// This process noise to begin with, as a share of the sensors', or as much of it as may be fitted.

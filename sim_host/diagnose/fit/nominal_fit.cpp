@@ -139,13 +139,16 @@ bool leaves_noise(const AxisFit& fit) {
 }
 
 bool needs_noise(const AxisFit& fit) {
-  return needs_random_forces(fit) || fit.model().noise.current_step > loud_noise(fit).current_step;
+  const bool is_spindle = fit.axis() == Axis::kSpindle;
+  return needs_random_forces(fit) ||
+         (is_spindle && fit.model().noise.current_step > loud_noise(fit).current_step);
 }
 
+// The other axis has what a fit of this one has begun with.
 bool needs_random_forces(const AxisFit& fit) {
   const gap::GapNoise<double> loud = loud_noise(fit);
   const gap::GapNoise<double>& noise = fit.model().noise;
-  return noise.speed_step > loud.speed_step || noise.feed_step > loud.feed_step;
+  return fit.axis() == Axis::kSpindle ? noise.speed_step > loud.speed_step : noise.feed_step > loud.feed_step;
 }
 
 std::vector<AxisFit> nominal_fits(const AxisFit& start) {
@@ -166,7 +169,7 @@ std::optional<AxisFit> fit_of_beginning(const AxisFit& fitted) {
   constexpr double kMuchBetter = 0.1;  // deviance per row
   const RecordingSignals beginning = beginning_of(fitted.signals(), fitted.signals().rows / 3);
   AxisFit start(fitted.axis(), beginning, fitted.datasheet());
-  start.allow_noise_like(fitted);
+  start.allow_noise_up_to(fitted.most_noise_share());
   const AxisFit of_all = with_model_of(fitted, start);
   const std::vector<AxisFit> alone = nominal_fits(start);
   const double gain = of_all.unlikeliness_as_it_is() - alone.front().unlikeliness();
