@@ -189,7 +189,13 @@ TEST(LeftOfShapes, LeavesThePartsOfAFriction) {
   const auto signals =
       record({.effects = {effect(Effect::kFeedCoulombFriction, 12.0), effect(Effect::kFeedForceOffset, 1.5)},
               .duration_s = 2.0});
-  EXPECT_EQ(names_beside(0.5, outcome_of(host::Axis::kFeed, signals)), 2U);
+  const host::AxisOutcome outcome = outcome_of(host::Axis::kFeed, signals);
+  EXPECT_EQ(names_beside(0.5, outcome), 2U);
+  // The friction is found first, with a width that does the force's work as well: a seventh of its own.
+  const gap::AppliedEffect& friction = outcome.diagnosis.found.front().effect;
+  EXPECT_EQ(friction.form.effect, Effect::kFeedCoulombFriction);
+  EXPECT_NEAR(static_cast<double>(friction.form.shape), 0.01, 1.0e-4);
+  EXPECT_NEAR(friction.coefficient[0], 12.0, 0.02);
 }
 
 }  // namespace

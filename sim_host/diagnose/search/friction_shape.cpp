@@ -98,8 +98,7 @@ bool take_vertex(AxisFit& trial, double spread) {
   return true;
 }
 
-/// Searches for the width of a fitted friction, and for its size. Was there a
-/// likelier one?
+/// Searches for the width of a fitted friction, and for its size. Was there a likelier one?
 bool search_friction(AxisFit& trial, Widths widths) {
   const auto reshape = [widths](gap::AppliedEffect& effect, float factor) {
     return widths.reshape(effect, factor);
