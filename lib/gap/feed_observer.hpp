@@ -176,7 +176,8 @@ class FeedObserver {
                      after.slope * exp_.a11 * before.slope},
         .by_rate = {integral_.a00, integral_.a01, after.slope * integral_.a10, after.slope * integral_.a11},
         .gained_m_s = gained_m_s + rubbed_m_s,
-        .rubbed_m_s = rubbed_m_s};
+        .rubbed_m_s = rubbed_m_s,
+        .rubbing_s = Real(2) * friction_yield_ * k.mass_kg};
   }
   /// The same as exactly as it is needed, where dry friction acts; false where it does not, or where that
   /// takes too long. `free_m_s2`: with the effects.
