@@ -139,15 +139,15 @@ class FeedObserver {
                                 observer_.variance(1)};
     const Real v = terms_.rub(braking, observer_.mean(1)).value;
     const Real cut_n = frame.input.contact * (contact_force_n_ * frame.input.engagement + contact_offset_n_);
-    const Real free_m_s2 = (frame.input.feed_force_n - cut_n) / k.mass_kg;
-    const Real rate = free_m_s2 - k.feed_viscous_friction_ns_m / k.mass_kg * v;
-    EffectSignals<Real> middle = signals_of(frame, x + half * (integral_.a00 * v + integral_.a01 * rate),
-                                            v + half * integral_.a11 * rate);
+    const Real rate = (frame.input.feed_force_n - k.feed_viscous_friction_ns_m * v - cut_n) / k.mass_kg;
+    const Real dv = integral_.a11 * rate;
+    const Real dx = integral_.a00 * v + integral_.a01 * rate;
+    EffectSignals<Real> middle = signals_of(frame, x + half * dx, v + half * dv);
     added_ = terms_.applied(middle, false);
     const Real rate_added = added_.force_n / k.mass_kg;
     Motion<Real> motion;
-    if (!in_steps(braking, free_m_s2 + rate_added, motion))
-      motion = in_halves(braking, rate_added, free_m_s2);
+    if (!in_steps(braking, (frame.input.feed_force_n - cut_n) / k.mass_kg + rate_added, motion))
+      motion = in_halves(braking, rate, rate_added);
     added_.force_n += motion.rubbed_m_s / motion.rubbing_s * k.mass_kg;
     if (has_columns_) load_columns(middle, motion.gained_m_s / step_s_, frame.input);
     driven_m_s_ += motion.speed_m_s - observer_.mean(1);
@@ -157,27 +157,27 @@ class FeedObserver {
   }
 
   /// Half of the friction before the rest and half of it after (Strang): right to second order, and a state
-  /// that sticks does so where it should. `free_m_s2`: acceleration of an axis at rest without friction;
-  /// `added_m_s2`: the effects'.
-  Motion<Real> in_halves(const Braking<Real>& braking, Real added_m_s2, Real free_m_s2) {
-    const auto& k = terms_.scales();
+  /// that sticks does so where it should. `rate`: the acceleration after the first half, without friction and
+  /// effects; `added`: by effects.
+  Motion<Real> in_halves(const Braking<Real>& braking, Real rate, Real added) {
     begin_own_frictions(terms_);
     const auto before = terms_.rub_own(braking, observer_.mean(1));
     drift_own_frictions(terms_, exp_);
     const Real v = before.value;
-    const Real rate = free_m_s2 - k.feed_viscous_friction_ns_m / k.mass_kg * v + added_m_s2;
-    const Real gained_m_s = integral_.a11 * rate;
-    const auto after = terms_.rub_own(braking, v + gained_m_s);
-    const Real rubbed_m_s = v - observer_.mean(1) + after.value - (v + gained_m_s);
+    const Real dv = integral_.a11 * rate;
+    const Real dx = integral_.a00 * v + integral_.a01 * rate;
+    const Real free_m_s = v + dv + integral_.a11 * added;
+    const auto after = terms_.rub_own(braking, free_m_s);
+    const Real rubbed_m_s = v - observer_.mean(1) + after.value - free_m_s;
     return {
-        .position_m = observer_.mean(0) + integral_.a00 * v + integral_.a01 * rate,
+        .position_m = observer_.mean(0) + dx + integral_.a01 * added,
         .speed_m_s = after.value,
         .by_state = {exp_.a00, exp_.a01 * before.slope, after.slope * exp_.a10,
                      after.slope * exp_.a11 * before.slope},
         .by_rate = {integral_.a00, integral_.a01, after.slope * integral_.a10, after.slope * integral_.a11},
-        .gained_m_s = gained_m_s + rubbed_m_s,
+        .gained_m_s = dv + integral_.a11 * added + rubbed_m_s,
         .rubbed_m_s = rubbed_m_s,
-        .rubbing_s = Real(2) * friction_yield_ * k.mass_kg};
+        .rubbing_s = Real(2) * friction_yield_ * terms_.scales().mass_kg};
   }
   /// The same as exactly as it is needed, where dry friction acts; false where it does not, or where that
   /// takes too long. `free_m_s2`: with the effects.
