@@ -20,37 +20,22 @@ constexpr float kNarrowest = 0.02F;  // share of the shape that a linearisation 
 // Of the reference speed: a friction that changes its side more slowly is another law.
 constexpr float kWidest = 0.1F;
 
-/// Between which a friction changes its side, in shares of the reference speed.
-struct Widths {
-  float narrowest;
-  float widest;
-
-  bool reshape(gap::AppliedEffect& friction, float factor) const {
-    friction.form.shape *= factor;
-    return friction.form.shape >= narrowest && friction.form.shape <= widest;
-  }
-};
-
 /// Gives the newest effect the width that is likeliest beside little noise. What a wrong one leaves passes
 /// for random forces, beside which all widths are much alike, and beside no noise at all what is far too
 /// narrow is likelier than what is nearly right: beside the usual noise the right one is the only valley.
 ///
 /// A spindle is hardly ever between the sides, and of a motor without a current sensor (`chirp_1` of the
 /// measured ones) all widths led away from its friction: there little noise alone is expected.
-void take_likeliest_width(Widths widths, AxisFit& fit) {
+void take_likeliest_width(ShapeBounds widths, AxisFit& fit) {
   if (fit.axis() == Axis::kSpindle) {
     fit.expect_little_noise();
     return fit.refit();
   }
   fit.expect_noise(kUsualNoiseShare);
+  constexpr std::array kOctaves{0.03125F, 0.0625F, 0.125F, 0.25F, 0.5F, 2.0F, 4.0F, 8.0F, 16.0F};
   const AxisFit start = fit;
   fit.refit();
-  for (const float factor : {0.03125F, 0.0625F, 0.125F, 0.25F, 0.5F, 2.0F, 4.0F, 8.0F, 16.0F}) {
-    AxisFit other = start;
-    if (!widths.reshape(other.change_model().effects.back(), factor)) continue;
-    other.refit();
-    if (other.unlikeliness() < fit.unlikeliness()) fit = std::move(other);
-  }
+  take_likeliest_shape(start, widths, kOctaves, fit);
 }
 
 /// Is there so much noise that nothing that hides in it is worth a search beside little? Deviance that it
@@ -99,7 +84,7 @@ bool take_vertex(AxisFit& trial, double spread) {
 }
 
 /// Searches for the width of a fitted friction, and for its size. Was there a likelier one?
-bool search_friction(AxisFit& trial, Widths widths) {
+bool search_friction(AxisFit& trial, ShapeBounds widths) {
   const auto reshape = [widths](gap::AppliedEffect& effect, float factor) {
     return widths.reshape(effect, factor);
   };
@@ -130,7 +115,7 @@ void put_back(std::size_t index, std::vector<gap::AppliedEffect>& effects) {
 // begins with what there is, the other with the width that is likeliest beside little noise.
 void sharpen_newest(AxisFit& trial, float widest_share) {
   const float seen = trial.model().effects.back().form.shape;
-  const Widths widths{kNarrowest * seen, widest_share * seen};
+  const ShapeBounds widths{kNarrowest * seen, widest_share * seen};
   AxisFit sharper = trial;
   sharper.narrow_down();
   AxisFit quiet = sharper;

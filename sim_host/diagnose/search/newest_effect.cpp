@@ -71,33 +71,16 @@ void sharpen_shaft(AxisFit& trial) {
   if (quiet.unlikeliness() < trial.unlikeliness()) trial = std::move(quiet);
 }
 
-/// The least and the most that a bristle may yield, in rad or m.
-struct Yields {
-  float least;
-  float most;
-
-  bool reshape(gap::AppliedEffect& bristle, float factor) const {
-    bristle.form.shape *= factor;
-    return bristle.form.shape >= least && bristle.form.shape <= most;
-  }
-};
-
 /// Takes a bristle that yields as far as it is most likely, beside little noise, where that is likelier.
-void take_yield(AxisFit bristle, Yields yields, AxisFit& trial) {
+void take_yield(AxisFit bristle, ShapeBounds yields, AxisFit& trial) {
   bristle.narrow_down();
   bristle.expect_little_noise();
   bristle.refit();
   const auto reshape = [yields](gap::AppliedEffect& effect, float factor) {
     return yields.reshape(effect, factor);
   };
-  AxisFit best = bristle;
-  for (const float factor : {0.0625F, 0.25F, 4.0F, 16.0F}) {
-    AxisFit other = bristle;
-    if (!reshape(other.change_model().effects.back(), factor)) continue;
-    other.refit();
-    if (other.unlikeliness() < best.unlikeliness()) best = std::move(other);
-  }
-  bristle = std::move(best);
+  const AxisFit start = bristle;
+  take_likeliest_shape(start, yields, std::array{0.0625F, 0.25F, 4.0F, 16.0F}, bristle);
   take_likelier(bristle, std::array{0.5F, 2.0F, 0.7F, 1.4F, 0.9F, 1.1F, 0.97F, 1.03F}, reshape);
   bristle.settle_roughly(kRounds, {});
   bristle.widen();
@@ -158,7 +141,7 @@ void weigh_bend(AxisFit& trial, std::size_t index) {
 // noise.
 void weigh_bristle(AxisFit& trial) {
   constexpr float kUsualYieldRad = 0.05F;
-  constexpr Yields kAny{1.0e-4F, 3.0F};
+  constexpr ShapeBounds kAny{1.0e-4F, 3.0F};
   AxisFit bristle = trial;
   gap::EffectForm& form = bristle.change_model().effects.back().form;
   form.kind = 1;
@@ -169,7 +152,7 @@ void weigh_bristle(AxisFit& trial) {
 // Little noise leads astray where the parameters are still bent to the wrong yield: a second search begins
 // where the noise as it is leads first.
 void tune_bristle(AxisFit& trial) {
-  static constexpr Yields kAny{1.0e-8F, 1.0e-2F};
+  static constexpr ShapeBounds kAny{1.0e-8F, 1.0e-2F};
   const auto reshape = [](gap::AppliedEffect& effect, float factor) { return kAny.reshape(effect, factor); };
   AxisFit loud = trial;
   bool has_changed = false;
