@@ -13,9 +13,9 @@ extern "C" {
 
 /// Room of a monitor in bytes; the library does not compile where it is too small or wastes more than 512.
 #if UINTPTR_MAX > 0xFFFFFFFFU
-#define MOREPRO_MONITOR_BYTES 45824
+#define MOREPRO_MONITOR_BYTES 46080
 #else
-#define MOREPRO_MONITOR_BYTES 44800
+#define MOREPRO_MONITOR_BYTES 45056
 #endif
 
 /// The memory of one monitor, which its user owns: static, on a stack that is large enough, or a member. It

@@ -256,6 +256,7 @@ class GapWatch {
 
   void begin_stretch() {
     samples_.count(phase_);
+    samples_.end();
     phase_ = seen_ = 0;
   }
 

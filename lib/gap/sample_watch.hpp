@@ -7,6 +7,7 @@
 #include "lib/gap/board_forms.hpp"
 #include "lib/gap/gap_frame.hpp"
 #include "lib/gap/gap_watch_finding.hpp"
+#include "lib/gap/repeated_frames.hpp"
 #include "lib/math/elementary.hpp"
 
 namespace morepro::gap {
@@ -70,64 +71,6 @@ class StepWatch {
   bool is_known_ = false;
 };
 
-/// A sensor that is finer than its noise repeats itself where a frame shows the one before once more, or
-/// where it stands still. Coarse ones, which repeat themselves by rounding, tell the two apart: are they the
-/// same more often when it is? What goes on for long is a machine at rest.
-template <class Real>
-class Vouching {
- public:
-  /// One frame against the one before.
-  void see(bool is_fine_same, bool are_coarse_same) {
-    if (is_fine_same && are_coarse_same) {
-      ++run_;
-      return;
-    }
-    if (run_ <= kLongestBurst) both_ += run_;
-    run_ = 0;
-    if (is_fine_same)
-      ++fine_;
-    else if (are_coarse_same)
-      ++coarse_;
-    else
-      ++neither_;
-  }
-  void merge(const Vouching& other) {
-    both_ += other.both_;
-    fine_ += other.fine_;
-    coarse_ += other.coarse_;
-    neither_ += other.neither_;
-  }
-  void fade() {
-    for (std::uint32_t* count : {&both_, &fine_, &coarse_, &neither_}) *count /= 2;
-  }
-
-  /// Frames that showed the one before; 0 where so many may be chance.
-  [[nodiscard]] Real lost() const {
-    constexpr Real kFewest = Real(20);
-    constexpr Real kBeyondChance = Real(5);  // standard deviations
-    const Real usual = share(coarse_, coarse_ + neither_);
-    const Real of_fine = static_cast<Real>(both_ + fine_);
-    const Real excess = static_cast<Real>(both_) - usual * of_fine;
-    const Real chance = math::sqrt(usual * (Real(1) - usual) * of_fine);
-    const Real lost = excess / (Real(1) - usual);
-    return excess > kBeyondChance * chance && lost > kFewest ? lost : Real(0);
-  }
-
- private:
-  static constexpr std::uint32_t kLongestBurst = 8;
-
-  static Real share(std::uint32_t part, std::uint32_t all) {
-    return all > 0 ? static_cast<Real>(part) / static_cast<Real>(all) : Real(1);
-  }
-
-  std::uint32_t run_ = 0;
-  // Frames in which all are the same, the fine one only, the coarse ones only, and others.
-  std::uint32_t both_ = 0;
-  std::uint32_t fine_ = 0;
-  std::uint32_t coarse_ = 0;
-  std::uint32_t neither_ = 0;
-};
-
 /// Faults of the acquisition, which stand in the samples themselves: steps that are coarser than the
 /// sensor's, frames that are lost or show the one before once more.
 template <class Real>
@@ -137,13 +80,15 @@ class SampleWatch {
       : limit_{limits.speed_step_rad_s, limits.current_step_a, limits.feed_step_m_s, limits.position_step_m},
         lost_limit_(limits.lost_share) {}
 
+  /// What comes next does not follow.
+  void end() { repeated_.end(); }
   /// Frames came, whether anybody looked into them or not.
   void count(std::size_t frames) {
     frames_ += static_cast<std::uint32_t>(frames);
     if (frames_ < kMostFrames) return;
     frames_ /= 2;
     lost_ /= 2;
-    alone_.fade();
+    repeated_.fade();
   }
   /// Frames did not come.
   void lose(std::uint32_t frames) {
@@ -155,27 +100,21 @@ class SampleWatch {
   /// looked into.
   [[gnu::noinline, gnu::cold]] void see(const GapFrame<Real>& frame, const GapFrame<Real>& before,
                                         const GapFrame<Real>& earlier) {
-    int fine = 0;
-    int coarse = 0;
-    bool is_fine_same = true;
-    bool is_coarse_same = true;
+    SameSensors sensors;
     for (std::size_t k = 0; k < kSensors; ++k) {
       if (!(frame.*kHas[k]) || !(before.*kHas[k]) || !(earlier.*kHas[k])) continue;
       steps_[k].see(frame.*kValue[k], before.*kValue[k], earlier.*kValue[k]);
-      const bool is_fine = steps_[k].is_fine();
-      ++(is_fine ? fine : coarse);
-      (is_fine ? is_fine_same : is_coarse_same) &= frame.*kValue[k] == before.*kValue[k];
+      sensors.add(k, frame.*kValue[k] == before.*kValue[k]);
     }
-    // One sensor alone may rest.
-    if (fine >= 2 && is_fine_same && is_coarse_same) ++lost_;
-    if (fine == 1 && coarse > 0) alone_.see(is_fine_same, is_coarse_same);
+    if (is_one_feed_sensor()) sensors.join(kFeedSpeed, kFeedPosition);
+    repeated_.see(sensors);
   }
 
   void merge(const SampleWatch& other) {
     for (std::size_t k = 0; k < kSensors; ++k) steps_[k].merge(other.steps_[k]);
     frames_ += other.frames_;
     lost_ += other.lost_;
-    alone_.merge(other.alone_);
+    repeated_.merge(other.repeated_);
   }
 
   /// kEffect, or kNotEnoughData where there is no fault.
@@ -197,7 +136,9 @@ class SampleWatch {
   static constexpr float kConfidence = 0.97F;
   static constexpr float kCertain = 1.0e4F;  // what stands in the samples is not a matter of chance
 
-  static constexpr std::size_t kSensors = 4;
+  static constexpr std::size_t kSensors = SameSensors::kMost;
+  static constexpr std::size_t kFeedSpeed = 2;
+  static constexpr std::size_t kFeedPosition = 3;
   static constexpr std::array<Real GapFrame<Real>::*, kSensors> kValue{
       &GapFrame<Real>::speed_rad_s, &GapFrame<Real>::current_a, &GapFrame<Real>::feed_speed_m_s,
       &GapFrame<Real>::feed_position_m};
@@ -213,14 +154,20 @@ class SampleWatch {
   }
 
   [[nodiscard]] bool loses_frames() const {
+    const Real missing = static_cast<Real>(lost_) / static_cast<Real>(frames_);
     return frames_ >= kFewestFrames && lost_limit_ > Real(0) &&
-           static_cast<Real>(lost_) + alone_.lost() > lost_limit_ * static_cast<Real>(frames_);
+           missing + repeated_.lost_share() > lost_limit_;
+  }
+
+  /// A speed in steps may be the difference of a position in steps.
+  [[nodiscard]] bool is_one_feed_sensor() const {
+    return !steps_[kFeedSpeed].is_fine() && !steps_[kFeedPosition].is_fine();
   }
 
   std::array<StepWatch<Real>, kSensors> steps_{};
   std::array<Real, kSensors> limit_;
   Real lost_limit_;
-  Vouching<Real> alone_;  ///< for the only fine sensor
+  RepeatedFrames<Real> repeated_;
   std::uint32_t frames_ = 0;
   std::uint32_t lost_ = 0;
 };

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "sim_host/diagnose/signals/sampling_checks.hpp"
@@ -22,7 +23,7 @@ TEST(SamplingChecks, FindNothingInAHealthyRecording) {
   RecordingSignals signals = record(short_run({}));
   Sensors sensors = reference_sensors();
   EXPECT_TRUE(find_quantization(signals, sensors).empty());
-  EXPECT_FALSE(find_dropout(signals, sensors).has_value());
+  EXPECT_FALSE(find_dropout(signals).has_value());
 }
 
 TEST(SamplingChecks, FindTheStepOfEveryCoarseSensor) {
@@ -51,7 +52,7 @@ TEST(SamplingChecks, TakeAStepForGrantedThatTheMachineFileStates) {
 
 TEST(SamplingChecks, CountTheRowsThatAreMissing) {
   RecordingSignals signals = record(short_run({effect(Effect::kSampleDropout, 0.1)}));
-  const auto fault = find_dropout(signals, reference_sensors());
+  const auto fault = find_dropout(signals);
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->effect, Effect::kSampleDropout);
   EXPECT_NEAR(fault->size, static_cast<double>(signals.missing_rows) / static_cast<double>(signals.rows),
@@ -74,13 +75,13 @@ TEST(SamplingChecks, SeeWhenStepsSetIn) {
 TEST(SamplingChecks, SeeWhenRowsBeginToBeLost) {
   constexpr double kOnsetS = 0.5;
   RecordingSignals signals = record(short_run({effect(Effect::kSampleDropout, 0.1, kOnsetS)}));
-  const auto fault = find_dropout(signals, reference_sensors());
+  const auto fault = find_dropout(signals);
   ASSERT_TRUE(fault.has_value());
   EXPECT_NEAR(fault->size, 0.1, 3.0 * fault->standard_error);
   // One of ten rows is lost.
   EXPECT_NEAR(fault->onset_s, kOnsetS, 0.005);
   RecordingSignals all_along = record(short_run({effect(Effect::kSampleDropout, 0.1)}));
-  EXPECT_EQ(find_dropout(all_along, reference_sensors())->onset_s, 0.0);
+  EXPECT_EQ(find_dropout(all_along)->onset_s, 0.0);
 }
 
 // A frame that is sent again says nothing of its own row, not even what drove the machine.
@@ -93,7 +94,7 @@ TEST(SamplingChecks, TakeARepeatedFrameForAMissingOne) {
        {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition})
     signals.value[index_of(channel)][25] = signals.value[index_of(channel)][24];
   signals.value[index_of(Channel::kArmatureVoltage)][25] += 1.0F;
-  ASSERT_TRUE(find_dropout(signals, reference_sensors()).has_value());
+  ASSERT_TRUE(find_dropout(signals).has_value());
   EXPECT_TRUE(is_missing(signals, 50));
   EXPECT_FALSE(is_missing(signals, 25)) << "its input is known";
   EXPECT_EQ(signals.missing_rows, (signals.rows - 1) / 50);
@@ -105,11 +106,11 @@ TEST(SamplingChecks, TakeNoLongHoleForLostSamples) {
   for (auto& column : signals.value)
     for (std::size_t row = 5000; !column.empty() && row < 6000; ++row)
       column[row] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_FALSE(find_dropout(signals, reference_sensors()).has_value());
+  EXPECT_FALSE(find_dropout(signals).has_value());
   for (auto& column : signals.value)
     for (std::size_t row = 0; !column.empty() && row < 5000; row += 50)
       column[row] = std::numeric_limits<float>::quiet_NaN();
-  const auto fault = find_dropout(signals, reference_sensors());
+  const auto fault = find_dropout(signals);
   ASSERT_TRUE(fault.has_value());
   EXPECT_NEAR(fault->size, 100.0 / static_cast<double>(signals.rows), 1.0e-9);
 }
@@ -130,7 +131,7 @@ TEST(SamplingChecks, TakeRepeatedRowsOutOfTheRecording) {
   for (std::size_t row = 50; row < signals.rows; row += 50)
     for (auto& column : signals.value)
       if (!column.empty()) column[row] = column[row - 1];
-  const auto fault = find_dropout(signals, reference_sensors());
+  const auto fault = find_dropout(signals);
   ASSERT_TRUE(fault.has_value());
   EXPECT_NEAR(fault->size, 1.0 / 50.0, 0.001);
   const auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
@@ -142,7 +143,7 @@ TEST(SamplingChecks, DoNotTakeOneSensorThatStandsStillForALostRow) {
   RecordingSignals signals = record(short_run({}));
   auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
   std::fill(speed.begin() + 2000, speed.begin() + 4000, speed[2000]);
-  EXPECT_FALSE(find_dropout(signals, reference_sensors()).has_value());
+  EXPECT_FALSE(find_dropout(signals).has_value());
 }
 
 /// Two sensors that stand still in noise of ten of their steps: one row in 1250 repeats the one before.
@@ -161,16 +162,9 @@ RecordingSignals two_stepped_sensors(std::size_t rows) {
   return signals;
 }
 
-Sensors with_ten_steps_of_noise() {
-  Sensors sensors = reference_sensors();
-  for (const Channel channel : {Channel::kSpindleSpeed, Channel::kArmatureCurrent})
-    sensors[channel] = {.noise = 10.0, .lsb = 1.0};
-  return sensors;
-}
-
 TEST(SamplingChecks, TakeNoRowForLostThatChanceMakesEqual) {
   RecordingSignals signals = two_stepped_sensors(80000);
-  EXPECT_FALSE(find_dropout(signals, with_ten_steps_of_noise()).has_value());
+  EXPECT_FALSE(find_dropout(signals).has_value());
   for (const float value : signals.value[index_of(Channel::kSpindleSpeed)]) ASSERT_FALSE(std::isnan(value));
 }
 
@@ -180,7 +174,7 @@ TEST(SamplingChecks, TellLostRowsFromThoseThatChanceMakesEqual) {
   for (std::size_t row = kLostEvery; row < signals.rows; row += kLostEvery)
     for (auto& column : signals.value)
       if (!column.empty()) column[row] = column[row - 1];
-  const auto fault = find_dropout(signals, with_ten_steps_of_noise());
+  const auto fault = find_dropout(signals);
   ASSERT_TRUE(fault.has_value());
   // Chance makes 0.0008, known to a fifth.
   EXPECT_NEAR(fault->size, 1.0 / kLostEvery, 4.0e-4);
@@ -196,12 +190,6 @@ RecordingSignals fine_and_coarse() {
   return signals;
 }
 
-Sensors fine_and_coarse_sensors() {
-  Sensors sensors = with_ten_steps_of_noise();
-  sensors[Channel::kArmatureCurrent].lsb = 17.5;
-  return sensors;
-}
-
 void repeat_every_100th(std::vector<float>& column) {
   for (std::size_t row = 100; row < column.size(); row += 100) column[row] = column[row - 1];
 }
@@ -210,7 +198,7 @@ TEST(SamplingChecks, TakeARowForLostWhereACoarseSensorVouchesForTheOnlyFineOne) 
   RecordingSignals signals = fine_and_coarse();
   repeat_every_100th(signals.value[index_of(Channel::kSpindleSpeed)]);
   repeat_every_100th(signals.value[index_of(Channel::kArmatureCurrent)]);
-  const auto fault = find_dropout(signals, fine_and_coarse_sensors());
+  const auto fault = find_dropout(signals);
   ASSERT_TRUE(fault.has_value());
   EXPECT_NEAR(fault->size, 0.01, 1.0e-3);
 }
@@ -218,7 +206,7 @@ TEST(SamplingChecks, TakeARowForLostWhereACoarseSensorVouchesForTheOnlyFineOne) 
 TEST(SamplingChecks, TakeNoRowForLostWhereTheOnlyFineSensorStandsStill) {
   RecordingSignals signals = fine_and_coarse();
   repeat_every_100th(signals.value[index_of(Channel::kSpindleSpeed)]);
-  EXPECT_FALSE(find_dropout(signals, fine_and_coarse_sensors()).has_value());
+  EXPECT_FALSE(find_dropout(signals).has_value());
 }
 
 TEST(SamplingChecks, TakeNoRowForLostInWhichACoarseSensorChanges) {
@@ -230,9 +218,78 @@ TEST(SamplingChecks, TakeNoRowForLostInWhichACoarseSensorChanges) {
   signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(Channel::kFeedSpeed));
   for (std::size_t row = 0; row < signals.rows; ++row)
     signals.value[index_of(Channel::kFeedSpeed)].push_back(static_cast<float>(row));
-  Sensors sensors = with_ten_steps_of_noise();
-  sensors[Channel::kFeedSpeed] = {.noise = 1.0, .lsb = 1.0};
-  EXPECT_FALSE(find_dropout(signals, sensors).has_value());
+  EXPECT_FALSE(find_dropout(signals).has_value());
+}
+
+/// A spindle whose sensors have steps as large as their noise, of which no machine file says anything, while
+/// speed and current swing: 7 and 4 of 100 samples are the same as the one before. `is_lost(row)`: shown once
+/// more.
+template <class IsLost>
+RecordingSignals two_coarse_sensors(IsLost is_lost) {
+  RecordingSignals signals = two_stepped_sensors(24000);
+  std::mt19937 random(7);
+  std::normal_distribution<float> noise;
+  auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
+  auto& current = signals.value[index_of(Channel::kArmatureCurrent)];
+  for (std::size_t row = 0; row < signals.rows; ++row) {
+    const auto phase = 0.05F * static_cast<float>(row);
+    speed[row] = is_lost(row) ? speed[row - 1] : std::round(100.0F * std::sin(phase) + noise(random));
+    current[row] =
+        is_lost(row) ? current[row - 1] : std::round(200.0F * std::sin(1.3F * phase) + noise(random));
+  }
+  return signals;
+}
+
+// One row in two hundred repeats itself by chance: a `sample_dropout` of 0.5 % before, at 0.97, four times of
+// 108 recordings of another simulator.
+TEST(SamplingChecks, TakeNoRowForLostThatCoarseSensorsMakeEqual) {
+  RecordingSignals signals = two_coarse_sensors([](std::size_t) { return false; });
+  EXPECT_FALSE(find_dropout(signals).has_value());
+}
+
+TEST(SamplingChecks, CountLostRowsOfCoarseSensors) {
+  RecordingSignals signals = two_coarse_sensors([](std::size_t row) { return row % 100 > 97; });
+  const auto fault = find_dropout(signals);
+  ASSERT_TRUE(fault.has_value());
+  // 480 rows beside 120 that chance makes equal, three standard deviations of which are 33.
+  EXPECT_NEAR(fault->size, 0.02, 0.002);
+}
+
+// Sensors in steps of three times their noise, on a machine that rests for 100 rows between two jogs: at the
+// edges both are the same together, which looked like hundreds of lost rows.
+TEST(SamplingChecks, TakeNoEdgeOfARestForLostRows) {
+  RecordingSignals signals = two_stepped_sensors(24000);
+  std::mt19937 random(7);
+  std::normal_distribution<float> noise(0.0F, 0.33F);
+  float place = 0.0F;
+  for (std::size_t row = 0; row < signals.rows; ++row) {
+    if (row / 100 % 2 == 0) place += 5.0F;
+    for (const Channel channel : {Channel::kSpindleSpeed, Channel::kArmatureCurrent})
+      signals.value[index_of(channel)][row] = std::round(place + noise(random));
+  }
+  EXPECT_FALSE(find_dropout(signals).has_value());
+}
+
+// What is the same twice in a position is no speed, and then none again.
+TEST(SamplingChecks, TakeNoRowForLostThatAnEncoderMakesEqual) {
+  RecordingSignals signals;
+  signals.rate_hz = 1000.0;
+  signals.rows = 20000;
+  auto& position = signals.value[index_of(Channel::kFeedPosition)];
+  auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
+  signals.recorded = bit_of(Channel::kFeedPosition) | bit_of(Channel::kFeedSpeed);
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 1.0e-6);
+  for (std::size_t row = 0; row < signals.rows; ++row) {
+    const double at_m = 1.0e-4 * std::sin(1.0e-3 * static_cast<double>(row)) + noise(random);
+    position.push_back(static_cast<float>(1.0e-6 * std::round(1.0e6 * at_m)));
+    speed.push_back(row == 0 ? 0.0F : 1000.0F * (position[row] - position[row - 1]));
+  }
+  Sensors sensors;
+  sensors[Channel::kFeedPosition] = {.noise = 1.0e-6, .lsb = 1.0e-6};
+  sensors[Channel::kFeedSpeed] = {.noise = 2.0e-3, .lsb = 1.0e-3};
+  EXPECT_TRUE(find_quantization(signals, sensors).empty());
+  EXPECT_FALSE(find_dropout(signals).has_value());
 }
 
 TEST(BeginningOf, HasItsRowsAndNoOthers) {

@@ -65,6 +65,7 @@ void show(const Samples& samples, Watch& watch, unsigned seed = 1) {
     if (i > 1) watch.see(frame, before, earlier);
     earlier = std::exchange(before, frame);
   }
+  watch.end();
 }
 
 GapFinding after(const Samples& samples) {
@@ -179,8 +180,8 @@ TEST(SampleWatch, CoarseSensorsVouchForTheOnlyFineOne) {
   EXPECT_EQ(watch.finding().verdict, GapVerdict::kNotEnoughData);
 }
 
-TEST(SampleWatch, WhatVouchesMerges) {
-  constexpr Samples kFewLost{.coarse_steps = 1.75, .repeated_every = 100, .frames = 1800};
+TEST(SampleWatch, RepeatedFramesMerge) {
+  constexpr Samples kFewLost{.coarse_steps = 1.75, .repeated_every = 100, .frames = 450};
   Watch one(kOfCoarseSensors);
   show(kFewLost, one);
   Watch other(kOfCoarseSensors);
@@ -188,6 +189,57 @@ TEST(SampleWatch, WhatVouchesMerges) {
   ASSERT_EQ(one.finding().verdict, GapVerdict::kNotEnoughData);
   one.merge(other);
   EXPECT_EQ(one.finding().effect, Effect::kSampleDropout);
+}
+
+// As most sensors are: all in steps as coarse as their noise. Each is the same in 28 of 100 frames, all three
+// in two.
+TEST(SampleWatch, SeesRepeatedFramesOfSensorsThatAllHaveSteps) {
+  constexpr Samples kInSteps{.speed_step_rad_s = 1.0, .coarse_steps = 1.0, .frames = 20000};
+  EXPECT_EQ(after(kInSteps).verdict, GapVerdict::kNotEnoughData);
+  Samples repeated = kInSteps;
+  repeated.repeated_every = 20;
+  EXPECT_EQ(after(repeated).effect, Effect::kSampleDropout);
+}
+
+// Of steps that are three times their noise sensors at rest are the same in six of ten frames; where the
+// machine rests for 100 frames between two jogs, its edges would look like lost frames.
+TEST(SampleWatch, SeesNoneAtTheEdgesOfARestOfCoarseSensors) {
+  Watch watch({.lost_share = 0.001F});
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0.0, 0.33);
+  std::array<Frame, 3> last{};
+  double place = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    if (i / 100 % 2 == 0) place = std::fmod(place + 5.0, 10000.0);
+    Frame frame;
+    frame.has_speed = frame.has_current = true;
+    frame.speed_rad_s = static_cast<float>(std::round(place + normal(random)));
+    frame.current_a = static_cast<float>(std::round(place + normal(random)));
+    last = {frame, last[0], last[1]};
+    watch.count(1);
+    if (i > 1) watch.see(last[0], last[1], last[2]);
+  }
+  watch.end();
+  EXPECT_EQ(watch.finding().verdict, GapVerdict::kNotEnoughData);
+}
+
+// What is the same twice in a position is no speed, and then none again.
+TEST(SampleWatch, SeesNoRepeatedFramesInAPositionAndItsDifference) {
+  Watch watch({.lost_share = 0.001F});
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::array<Frame, 3> last{};
+  for (int i = 0; i < 20000; ++i) {
+    Frame frame;
+    frame.has_feed_speed = frame.has_feed_position = true;
+    frame.feed_position_m = static_cast<float>(std::round(100.0 * std::sin(0.001 * i) + normal(random)));
+    frame.feed_speed_m_s = frame.feed_position_m - last[0].feed_position_m;
+    last = {frame, last[0], last[1]};
+    watch.count(1);
+    if (i > 1) watch.see(last[0], last[1], last[2]);
+  }
+  watch.end();
+  EXPECT_EQ(watch.finding().verdict, GapVerdict::kNotEnoughData);
 }
 
 /// Sensors that rest, or have coarse steps, are the same from frame to frame without anything lost.

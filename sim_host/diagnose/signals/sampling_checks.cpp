@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "lib/gap/sample_watch.hpp"
+#include "lib/gap/repeated_frames.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
 
 namespace morepro::host {
@@ -42,45 +42,57 @@ LostRows dropped(const std::vector<float>& column) {
   return lost;
 }
 
-/// What two rows show of the sensors that are sampled in both: how many of those that are finer than their
-/// noise, and of the coarse ones, which repeat themselves by rounding; and do all of each sort show the same?
-struct Likeness {
-  int fine = 0;
-  int coarse = 0;
-  bool is_fine_same = true;
-  bool is_coarse_same = true;
+/// Rows in which all sensors repeat themselves, and how many of them may be lost.
+class RepeatedRows {
+ public:
+  explicit RepeatedRows(const RecordingSignals& signals) : signals_(signals) {
+    const double speed_step = signals.step[index_of(Channel::kFeedSpeed)];
+    const double position_step = signals.step[index_of(Channel::kFeedPosition)];
+    is_one_feed_sensor_ = speed_step > 0.0 && position_step > 0.0;
+    std::vector<std::size_t> run;
+    for (std::size_t row = 1; row < signals.rows; ++row) {
+      const gap::SameSensors same = compare(row);
+      frames_.see(same);
+      if (same.are_all()) {
+        run.push_back(row);
+        continue;
+      }
+      take(run);
+    }
+    take(run);
+  }
+
+  [[nodiscard]] double lost() const { return frames_.lost_share() * static_cast<double>(signals_.rows); }
+  [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
+
+ private:
+  [[nodiscard]] gap::SameSensors compare(std::size_t row) const {
+    gap::SameSensors same;
+    for (std::size_t k = 0; k < kNoisyChannels.size(); ++k) {
+      const auto& column = signals_.value[index_of(kNoisyChannels[k])];
+      if (column.empty() || std::isnan(column[row]) || std::isnan(column[row - 1])) continue;
+      same.add(k, column[row] == column[row - 1]);
+    }
+    if (is_one_feed_sensor_) same.join(kFeedSpeed, kFeedPosition);
+    return same;
+  }
+
+  void take(std::vector<std::size_t>& run) {
+    if (run.size() <= gap::RepeatedFrames<double>::kLongestRun)
+      rows_.insert(rows_.end(), run.begin(), run.end());
+    run.clear();
+  }
+
+  static constexpr std::size_t kFeedSpeed = 2;
+  static constexpr std::size_t kFeedPosition = 3;
+  static_assert(kNoisyChannels[kFeedSpeed] == Channel::kFeedSpeed &&
+                kNoisyChannels[kFeedPosition] == Channel::kFeedPosition);
+
+  const RecordingSignals& signals_;
+  bool is_one_feed_sensor_ = false;  ///< a speed in steps may be the difference of a position in steps
+  gap::RepeatedFrames<double> frames_;
+  std::vector<std::size_t> rows_;
 };
-
-bool is_finer_than_noise(const SensorNoise& sensor) { return sensor.lsb <= 0.2 * sensor.noise; }
-
-Likeness compare(const RecordingSignals& signals, const Sensors& sensors, std::size_t row,
-                 std::size_t other) {
-  Likeness likeness;
-  for (const Channel channel : kNoisyChannels) {
-    if (!signals.has(channel)) continue;
-    const auto& column = signals.value[index_of(channel)];
-    if (!(column[row] == column[row]) || !(column[other] == column[other])) continue;
-    const bool is_fine = is_finer_than_noise(sensors[channel]);
-    ++(is_fine ? likeness.fine : likeness.coarse);
-    (is_fine ? likeness.is_fine_same : likeness.is_coarse_same) &= column[row] == column[other];
-  }
-  return likeness;
-}
-
-/// Fine sensors that must show the same for a row to repeat another one. One alone may stand still; where
-/// there is no other, coarse ones may vouch for it.
-int fewest_fine(const RecordingSignals& signals, const Sensors& sensors) {
-  const auto is_fine = [&](Channel channel) {
-    return signals.has(channel) && is_finer_than_noise(sensors[channel]);
-  };
-  if (std::count_if(kNoisyChannels.begin(), kNoisyChannels.end(), is_fine) != 1) return 2;
-  gap::Vouching<double> vouching;
-  for (std::size_t row = 1; row < signals.rows; ++row) {
-    const Likeness now = compare(signals, sensors, row, row - 1);
-    if (now.fine == 1 && now.coarse > 0) vouching.see(now.is_fine_same, now.is_coarse_same);
-  }
-  return vouching.lost() > 0.0 ? 1 : 2;
-}
 
 /// The samples of a row that repeats the one before. Where its inputs do so, too, the whole row does.
 void leave_out(RecordingSignals& signals, std::size_t row) {
@@ -97,29 +109,13 @@ void leave_out(RecordingSignals& signals, std::size_t row) {
   ++signals.missing_rows;
 }
 
-/// Takes rows out that repeat the one before, and returns how many more there are than chance makes: samples
-/// in steps are equal now and then, and then they are to those before the last one just as often.
-LostRows leave_out_repeated_rows(RecordingSignals& signals, const Sensors& sensors) {
-  constexpr double kBeyondChance = 5.0;  // standard deviations, beyond twice what chance makes
-  const int fewest = fewest_fine(signals, sensors);
-  const auto show_the_same = [&](std::size_t row, std::size_t other) {
-    const Likeness both = compare(signals, sensors, row, other);
-    return both.is_fine_same && both.is_coarse_same && both.fine >= fewest;
-  };
-  std::vector<std::size_t> repeated;
-  std::size_t by_chance = 0;
-  for (std::size_t row = 1; row < signals.rows; ++row) {
-    if (show_the_same(row, row - 1))
-      repeated.push_back(row);
-    else if (row >= 2 && show_the_same(row, row - 2))
-      ++by_chance;
-  }
-  const auto chance = static_cast<double>(by_chance);
-  const auto count = static_cast<double>(repeated.size());
-  if (!(count > 2.0 * chance + kBeyondChance * std::sqrt(chance))) return {};
+/// Takes rows out that repeat the one before, where there are more of them than chance makes.
+LostRows leave_out_repeated_rows(RecordingSignals& signals) {
+  const RepeatedRows repeated(signals);
+  if (!(repeated.lost() > 0.0)) return {};
   // The last one first: each is compared with the row before.
-  for (auto row = repeated.rbegin(); row != repeated.rend(); ++row) leave_out(signals, *row);
-  return {count - chance, repeated.front()};
+  for (auto row = repeated.rows().rbegin(); row != repeated.rows().rend(); ++row) leave_out(signals, *row);
+  return {repeated.lost(), repeated.rows().front()};
 }
 
 /// Were as many lost from the start, hardly ever would so many have come before the first one.
@@ -255,13 +251,13 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
   return dead;
 }
 
-std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors) {
+std::optional<SamplingFault> find_dropout(RecordingSignals& signals) {
   LostRows lost;  // before rows that repeat others become holes, too
   for (const Channel channel : kNoisyChannels) {
     if (!signals.has(channel)) continue;
     if (const LostRows here = dropped(signals.value[index_of(channel)]); here.count > lost.count) lost = here;
   }
-  const LostRows repeated = leave_out_repeated_rows(signals, sensors);
+  const LostRows repeated = leave_out_repeated_rows(signals);
   lost = {lost.count + repeated.count, std::min(lost.first, repeated.first)};
   const auto rows = static_cast<double>(std::max<std::size_t>(signals.rows, 1));
   if (lost.count < GapTuning{}.lost_share * rows || lost.count > 0.9 * rows) return std::nullopt;

@@ -36,7 +36,7 @@ void leave_out_known(std::span<const gap::AppliedEffect> known, std::vector<Samp
 std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sensors& sensors);
 
 /// Rows that are missing or repeat the one before; repeated samples are taken out of `signals`.
-std::optional<SamplingFault> find_dropout(RecordingSignals& signals, const Sensors& sensors);
+std::optional<SamplingFault> find_dropout(RecordingSignals& signals);
 
 /// Deviance per row of structure that these may leave, of which nobody could say whether it is the machine's:
 /// a coarse step and a jittering clock any, lost samples a little.

@@ -14,7 +14,7 @@ std::vector<SamplingFault> make_sound(RecordingSignals& signals, Sensors& sensor
     notices.push_back(fmt::format(
         "{} is the difference of a rounded position: twice the variance of its steps is taken for noise",
         kChannels[index_of(channel)].column));
-  if (auto dropout = find_dropout(signals, sensors)) faults.push_back(*dropout);
+  if (auto dropout = find_dropout(signals)) faults.push_back(*dropout);
   if (signals.missing_rows > 0) doubt_lost_inputs(signals);
   for (const LoneSamples& lone : leave_out_lone_samples(signals, sensors))
     notices.push_back(sentence_of(lone, signals));
