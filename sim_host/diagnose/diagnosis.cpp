@@ -67,7 +67,7 @@ class Diagnosis {
                                             kChannels[index_of(channel)].column));
     if (machine_.has_spindle) drive_by_current(signals_);
     for (std::string& lack : untested_effects(signals_, machine_)) result_.notices.push_back(std::move(lack));
-    faults_ = make_sound(signals_, sensors, result_.notices);
+    faults_ = make_sound(signals_, sensors, machine_.assumed_noise, result_.notices);
     for (const ShownNoise& shown : instead_of_assumed(signals_, machine_.assumed_noise, sensors))
       take(shown, sentence_of_assumed(shown), sensors);
     datasheet_ = {.machine = machine_.configuration.machine,

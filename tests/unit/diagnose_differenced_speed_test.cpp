@@ -52,6 +52,47 @@ TEST(DifferencedSpeed, IsNoRoundedOne) {
   EXPECT_EQ(noise_in_steps(with_feed_speed([](int) { return 0.0; })), 0.0) << "at rest";
 }
 
+/// A position in steps of 1 um that is known to half of one, and a speed that `speed_of` makes of it and of
+/// where the axis is, all in steps and rows, in steps of its own.
+template <class SpeedOf>
+RecordingSignals with_position_and(SpeedOf speed_of) {
+  constexpr int kRows = 4000;
+  RecordingSignals signals;
+  signals.rate_hz = 1000.0;
+  signals.rows = kRows;
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 0.5);
+  std::vector<double> place(kRows);
+  std::vector<double> shown(kRows);
+  for (int row = 0; row < kRows; ++row) {
+    place[row] = 3000.0 * std::sin(0.01 * row);
+    shown[row] = std::round(place[row] + noise(random));
+  }
+  for (int row = 0; row < kRows; ++row) {
+    show(signals, Channel::kFeedPosition, 1.0e-6 * shown[row]);
+    const bool is_inside = row > 0 && row + 1 < kRows;
+    show(signals, Channel::kFeedSpeed,
+         is_inside ? 5.0e-4 * std::round(2.0 * speed_of(shown, place, row)) : 0.0);
+  }
+  return signals;
+}
+using Places = std::vector<double>;
+
+TEST(DerivedSpeed, IsLeftOut) {
+  const auto is_left_out = [](auto speed_of) {
+    RecordingSignals signals = with_position_and(speed_of);
+    const bool is = host::leave_out_derived_speed(signals);
+    EXPECT_EQ(signals.has(Channel::kFeedSpeed), !is);
+    return is;
+  };
+  EXPECT_TRUE(is_left_out([](const Places& x, const Places&, int k) { return x[k] - x[k - 1]; }));
+  EXPECT_TRUE(is_left_out([](const Places& x, const Places&, int k) { return x[k + 1] - x[k]; }));
+  EXPECT_TRUE(is_left_out([](const Places& x, const Places&, int k) { return 0.5 * (x[k + 1] - x[k - 1]); }));
+  EXPECT_FALSE(is_left_out([](const Places&, const Places& at, int k) {
+    return 0.5 * (at[k + 1] - at[k - 1]);
+  })) << "it has a sensor of its own";
+}
+
 // What such a sensor has beside its noise, and all that it has.
 TEST(DifferencedSpeed, IsHalfASampleLateAndNothingElse) {
   DrivenAxis axis{.rows = 20000, .position_noise_m = 1.0e-7};

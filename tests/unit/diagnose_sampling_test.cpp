@@ -19,6 +19,22 @@ SimulatedRun short_run(std::vector<gap::AppliedEffect> effects) {
   return {.effects = std::move(effects), .duration_s = 1.0};
 }
 
+/// Two sensors that stand still in noise of ten of their steps: one row in 1250 repeats the one before.
+RecordingSignals two_stepped_sensors(std::size_t rows) {
+  RecordingSignals signals;
+  signals.rate_hz = 10000.0;
+  signals.rows = rows;
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0.0, 10.0);
+  for (const Channel channel : {Channel::kSpindleSpeed, Channel::kArmatureCurrent}) {
+    signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(channel));
+    auto& column = signals.value[index_of(channel)];
+    for (std::size_t row = 0; row < rows; ++row)
+      column.push_back(static_cast<float>(std::round(noise(random))));
+  }
+  return signals;
+}
+
 TEST(SamplingChecks, FindNothingInAHealthyRecording) {
   RecordingSignals signals = record(short_run({}));
   Sensors sensors = reference_sensors();
@@ -48,6 +64,30 @@ TEST(SamplingChecks, TakeAStepForGrantedThatTheMachineFileStates) {
   Sensors without = reference_sensors();
   ASSERT_EQ(find_quantization(signals, without).size(), 1U);
   EXPECT_NEAR(without[Channel::kSpindleSpeed].lsb, 4.0, 1.0e-3);
+}
+
+// The reference machine's noise stands in where a file says nothing: 0.05 A, of which steps of 0.07 A
+// were 1.4 `lsb` at 0.97, of a right motor of 50 A.
+TEST(SamplingChecks, TakeAStepForTheSensorsOwnWhereTheMachineFileSaysNothing) {
+  constexpr auto kCurrent = bit_of(Channel::kArmatureCurrent);
+  const auto faults_of = [](double noise_steps, std::uint16_t assumed, double& lsb) {
+    RecordingSignals signals = two_stepped_sensors(4000);
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0.0, noise_steps);
+    auto& current = signals.value[index_of(Channel::kArmatureCurrent)];
+    for (std::size_t row = 0; row < current.size(); ++row)
+      current[row] = static_cast<float>(
+          0.07 * std::round(20.0 * std::sin(0.001 * static_cast<double>(row)) + noise(random)));
+    Sensors sensors = reference_sensors();
+    const std::size_t faults = find_quantization(signals, sensors, assumed).size();
+    lsb = sensors[Channel::kArmatureCurrent].lsb;
+    return faults;
+  };
+  double lsb = 0.0;
+  EXPECT_EQ(faults_of(1.0, 0, lsb), 1U) << "the file says how fine it is";
+  EXPECT_EQ(faults_of(1.0, kCurrent, lsb), 0U);
+  EXPECT_NEAR(lsb, 0.07, 1.0e-6) << "known all the same";
+  EXPECT_EQ(faults_of(0.1, kCurrent, lsb), 1U) << "nothing of its noise is to be seen";
 }
 
 TEST(SamplingChecks, CountTheRowsThatAreMissing) {
@@ -144,22 +184,6 @@ TEST(SamplingChecks, DoNotTakeOneSensorThatStandsStillForALostRow) {
   auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
   std::fill(speed.begin() + 2000, speed.begin() + 4000, speed[2000]);
   EXPECT_FALSE(find_dropout(signals).has_value());
-}
-
-/// Two sensors that stand still in noise of ten of their steps: one row in 1250 repeats the one before.
-RecordingSignals two_stepped_sensors(std::size_t rows) {
-  RecordingSignals signals;
-  signals.rate_hz = 10000.0;
-  signals.rows = rows;
-  std::mt19937 random(1);
-  std::normal_distribution<double> noise(0.0, 10.0);
-  for (const Channel channel : {Channel::kSpindleSpeed, Channel::kArmatureCurrent}) {
-    signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(channel));
-    auto& column = signals.value[index_of(channel)];
-    for (std::size_t row = 0; row < rows; ++row)
-      column.push_back(static_cast<float>(std::round(noise(random))));
-  }
-  return signals;
 }
 
 TEST(SamplingChecks, TakeNoRowForLostThatChanceMakesEqual) {

@@ -6,6 +6,10 @@
 
 namespace morepro::host {
 
+/// Takes the speed of the feed out where it is the difference of the recorded position, of two or of three
+/// neighbouring samples: it says nothing more, and repeats the position's noise. Was it there?
+bool leave_out_derived_speed(RecordingSignals& signals);
+
 /// Speeds that were shown as differences of a rounded position, as counters do. Two roundings are in each
 /// sample, twice the variance of a rounded speed: `sensors` get the second one as noise.
 std::vector<Channel> allow_for_differences(const RecordingSignals& signals, Sensors& sensors);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,8 +24,10 @@ struct SamplingFault {
 double step_of(const std::vector<float>& column);
 
 /// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them, and
-/// what their rounding may be worth to a cause noted in `signals`, as are the steps of all sensors.
-std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors& sensors);
+/// what their rounding may be worth to a cause noted in `signals`, as are the steps of all sensors. Of those
+/// that are `assumed`, bit_of(channel), the file says nothing: steps are a fault where they hide the noise.
+std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors& sensors,
+                                             std::uint16_t assumed = 0);
 
 /// The sensors with the steps that the machine is known to have beside them.
 Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> known);

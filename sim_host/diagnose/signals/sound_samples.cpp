@@ -7,9 +7,11 @@
 
 namespace morepro::host {
 
-std::vector<SamplingFault> make_sound(RecordingSignals& signals, Sensors& sensors,
+std::vector<SamplingFault> make_sound(RecordingSignals& signals, Sensors& sensors, std::uint16_t assumed,
                                       std::vector<std::string>& notices) {
-  std::vector<SamplingFault> faults = find_quantization(signals, sensors);
+  if (leave_out_derived_speed(signals))
+    notices.push_back("feed_speed_m_s is the difference of feed_position_m and says nothing more: left out");
+  std::vector<SamplingFault> faults = find_quantization(signals, sensors, assumed);
   for (const Channel channel : allow_for_differences(signals, sensors))
     notices.push_back(fmt::format(
         "{} is the difference of a rounded position: twice the variance of its steps is taken for noise",
