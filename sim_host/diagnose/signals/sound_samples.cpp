@@ -4,6 +4,7 @@
 
 #include "sim_host/diagnose/signals/differenced_speed.hpp"
 #include "sim_host/diagnose/signals/lone_samples.hpp"
+#include "sim_host/diagnose/signals/written_digits.hpp"
 
 namespace morepro::host {
 
@@ -12,6 +13,8 @@ std::vector<SamplingFault> make_sound(RecordingSignals& signals, Sensors& sensor
   if (leave_out_derived_speed(signals))
     notices.push_back("feed_speed_m_s is the difference of feed_position_m and says nothing more: left out");
   std::vector<SamplingFault> faults = find_quantization(signals, sensors, assumed);
+  for (const WrittenDigits& written : allow_for_digits(signals, sensors))
+    notices.push_back(sentence_of(written));
   for (const Channel channel : allow_for_differences(signals, sensors))
     notices.push_back(fmt::format(
         "{} is the difference of a rounded position: twice the variance of its steps is taken for noise",

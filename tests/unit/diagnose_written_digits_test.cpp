@@ -1,0 +1,58 @@
+// Columns that were written with few digits.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "sim_host/diagnose/signals/written_digits.hpp"
+
+namespace morepro::host {
+namespace {
+
+/// A position that moves up to 0.4 m, known to a tenth of a micrometre, written in that format.
+std::vector<float> written_as(const std::string& format) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0.0, 1.0e-7);
+  std::vector<float> column;
+  for (int row = 0; row < 20000; ++row) {
+    const double value = 0.4 * std::sin(1.0e-3 * row) + noise(random);
+    column.push_back(std::stof(fmt::format(fmt::runtime(format), value)));
+  }
+  return column;
+}
+
+TEST(WrittenDigits, AreCounted) {
+  EXPECT_EQ(digits_of(written_as("{:.3g}")), 3);
+  EXPECT_EQ(digits_of(written_as("{:.4g}")), 4);
+  EXPECT_EQ(digits_of(written_as("{:.5g}")), 5);
+  EXPECT_EQ(digits_of(written_as("{:.7g}")), 0);
+  EXPECT_EQ(digits_of(written_as("{}")), 0);
+  EXPECT_EQ(digits_of(std::vector<float>(1000, 0.0F)), 0) << "nothing to tell them by";
+  EXPECT_EQ(digits_of(std::vector<float>(20, 0.5F)), 0) << "too few";
+  EXPECT_EQ(digits_of(std::vector<float>(1000, 1000.0F)), 2) << "a power of ten has as many as any number";
+}
+
+TEST(WrittenDigits, AreTheLastBitOfASensorThatIsFiner) {
+  RecordingSignals signals;
+  signals.rows = 20000;
+  signals.recorded = bit_of(Channel::kFeedPosition);
+  auto& column = signals.value[index_of(Channel::kFeedPosition)];
+  column = written_as("{:.4g}");
+  Sensors sensors = reference_sensors();
+  const auto found = allow_for_digits(signals, sensors);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found.front().digits, 4);
+  // Three of four values are beyond 0.1 m, in steps of 0.1 mm.
+  EXPECT_NEAR(found.front().step, 1.0e-4 * std::sqrt(0.84), 1.0e-6);
+  EXPECT_DOUBLE_EQ(sensors[Channel::kFeedPosition].lsb, found.front().step);
+  Sensors coarse = reference_sensors();
+  coarse[Channel::kFeedPosition].lsb = 1.0e-4;
+  EXPECT_TRUE(allow_for_digits(signals, coarse).empty()) << "as the file says";
+  column = written_as("{:.7g}");
+  EXPECT_TRUE(allow_for_digits(signals, sensors).empty());
+}
+
+}  // namespace
+}  // namespace morepro::host
