@@ -13,6 +13,7 @@ struct SameSensors {
   static constexpr std::size_t kMost = 4;
   std::uint8_t measured = 0;  ///< bit k: sensor k
   std::uint8_t same = 0;
+  bool is_as_before_last = true;  ///< do all show the same as in the frame before the last one?
 
   void add(std::size_t sensor, bool is_same) {
     measured = static_cast<std::uint8_t>(measured | 1U << sensor);
@@ -52,13 +53,16 @@ class FramesInARow {
   [[nodiscard]] bool are_at_rest(unsigned measured) const {
     constexpr int kOften = 6;  // of kFramesBeside
     int least = kOften;
+    for (std::size_t k = 0; k < SameSensors::kMost; ++k)
+      if ((measured >> k & 1U) != 0 && same_[k] < least) least = same_[k];
+    return still_ > 0 || (least >= kOften && have_one_alone(measured));
+  }
+  /// Is a sensor the same where not all are?
+  [[nodiscard]] bool have_one_alone(unsigned measured) const {
     int alone = 0;
-    for (std::size_t k = 0; k < SameSensors::kMost; ++k) {
-      if ((measured >> k & 1U) == 0) continue;
-      least = same_[k] < least ? same_[k] : least;
-      alone += same_[k] - all_;
-    }
-    return still_ > 0 || (least >= kOften && alone > 0);
+    for (std::size_t k = 0; k < SameSensors::kMost; ++k)
+      if ((measured >> k & 1U) != 0) alone += same_[k] - all_;
+    return alone > 0;
   }
 
   /// Share of the frames that were not lost, of these and `others`, in which all sensors show the same by
@@ -104,15 +108,17 @@ class FramesInARow {
 
 /// Frames that show the one before once more. Sensors in steps repeat themselves by chance, each by itself;
 /// what all of them do at once more often than that, the link did. How often by chance, and whether the
-/// machine rests, when all of them do so together, is seen from the frames before and after.
+/// machine rests, when all of them do so together, is seen from the frames before and after. Where a motion
+/// turns they do so together, too, but then they are as often the same as in the frame before the last one.
 template <class Real>
 class RepeatedFrames {
  public:
   /// A machine at rest shows the same for longer.
   static constexpr std::uint32_t kLongestRun = 8;
 
-  /// One frame against the one before.
-  void see(const SameSensors& sensors) {
+  /// One frame against the one before. Was the one `kFramesBeside` before it a repeated one, as far as that
+  /// can be told?
+  bool see(const SameSensors& sensors) {
     if (sensors.measured != measured_) end();
     measured_ = sensors.measured;
     run_ = sensors.are_all() ? run_ + 1 : 0;
@@ -123,7 +129,7 @@ class RepeatedFrames {
     frame_[newest_] = {sensors, run_ > kLongestRun};
     after_.add(frame_[newest_]);
     if (seen_ < kFrames) ++seen_;
-    if (seen_ == kFrames) judge(back(kBeside));
+    return seen_ == kFrames && judge(back(kBeside));
   }
   /// What comes next does not follow.
   void end() {
@@ -135,21 +141,27 @@ class RepeatedFrames {
   void merge(const RepeatedFrames& other) {
     counted_ += other.counted_;
     repeated_ += other.repeated_;
+    as_before_last_ += other.as_before_last_;
     by_chance_ += other.by_chance_;
   }
   void fade() {
     counted_ *= Real(0.5);
     repeated_ *= Real(0.5);
+    as_before_last_ *= Real(0.5);
     by_chance_ *= Real(0.5);
   }
 
-  /// Share of the frames that was lost; 0 where so many may be chance, which is not known better than to its
-  /// half.
+  /// Share of the frames that was lost, 0 .. 1; 0 where so many may be chance, which is not known better than
+  /// to its half, or a motion that turns. Sensors in coarse steps that turn together within a frame or two
+  /// are the same then in up to a hundredth of all frames.
   [[nodiscard]] Real lost_share() const {
-    constexpr Real kBeyondChance = Real(5);  // standard deviations
+    constexpr Real kFine = Real(0.001);
+    constexpr Real kLeastOfCoarse = Real(0.01);
     const Real lost = repeated_ - by_chance_;
-    const Real enough = by_chance_ + kBeyondChance * math::sqrt(by_chance_ + Real(1));
-    return lost > enough ? lost / counted_ : Real(0);
+    const bool is_more =
+        is_beyond(repeated_, Real(2) * by_chance_) && is_beyond(repeated_, Real(1.5) * as_before_last_);
+    const bool is_enough = by_chance_ < kFine * counted_ || lost > kLeastOfCoarse * counted_;
+    return is_more && is_enough ? lost / counted_ : Real(0);
   }
 
  private:
@@ -160,13 +172,22 @@ class RepeatedFrames {
     return frame_[(newest_ + kFrames - frames) % kFrames];
   }
 
-  void judge(const SeenFrame& frame) {
-    if (before_.are_at_rest(measured_) || after_.are_at_rest(measured_)) return;
+  static bool is_beyond(Real count, Real expected) {
+    constexpr Real kDeviations = Real(5);
+    return count > expected + kDeviations * math::sqrt(expected + Real(1));
+  }
+
+  bool judge(const SeenFrame& frame) {
+    if (before_.are_at_rest(measured_) || after_.are_at_rest(measured_)) return false;
     const Real chance = before_.template all_by_chance<Real>(after_, measured_);
-    if (!(chance < Real(1))) return;
+    if (!(chance < Real(1))) return false;
     counted_ += Real(1);
     by_chance_ += chance;
-    if (frame.sensors.are_all()) repeated_ += Real(1);
+    const bool have_one_alone = before_.have_one_alone(measured_) || after_.have_one_alone(measured_);
+    if (have_one_alone && frame.sensors.is_as_before_last) as_before_last_ += Real(1);
+    if (!frame.sensors.are_all()) return false;
+    repeated_ += Real(1);
+    return true;
   }
 
   std::array<SeenFrame, kFrames> frame_{};
@@ -178,6 +199,7 @@ class RepeatedFrames {
   std::uint32_t run_ = 0;
   Real counted_ = 0;
   Real repeated_ = 0;
+  Real as_before_last_ = 0;  ///< where sensors repeat themselves by chance
   Real by_chance_ = 0;
 };
 

@@ -105,6 +105,7 @@ class SampleWatch {
       if (!(frame.*kHas[k]) || !(before.*kHas[k]) || !(earlier.*kHas[k])) continue;
       steps_[k].see(frame.*kValue[k], before.*kValue[k], earlier.*kValue[k]);
       sensors.add(k, frame.*kValue[k] == before.*kValue[k]);
+      sensors.is_as_before_last &= frame.*kValue[k] == earlier.*kValue[k];
     }
     if (is_one_feed_sensor()) sensors.join(kFeedSpeed, kFeedPosition);
     repeated_.see(sensors);
@@ -154,9 +155,9 @@ class SampleWatch {
   }
 
   [[nodiscard]] bool loses_frames() const {
+    if (frames_ < kFewestFrames || !(lost_limit_ > Real(0))) return false;
     const Real missing = static_cast<Real>(lost_) / static_cast<Real>(frames_);
-    return frames_ >= kFewestFrames && lost_limit_ > Real(0) &&
-           missing + repeated_.lost_share() > lost_limit_;
+    return missing + repeated_.lost_share() > lost_limit_;
   }
 
   /// A speed in steps may be the difference of a position in steps.

@@ -31,7 +31,12 @@ TEST(WrittenDigits, AreCounted) {
   EXPECT_EQ(digits_of(written_as("{}")), 0);
   EXPECT_EQ(digits_of(std::vector<float>(1000, 0.0F)), 0) << "nothing to tell them by";
   EXPECT_EQ(digits_of(std::vector<float>(20, 0.5F)), 0) << "too few";
-  EXPECT_EQ(digits_of(std::vector<float>(1000, 1000.0F)), 2) << "a power of ten has as many as any number";
+  std::vector<float> few;
+  for (int row = 0; row < 1000; ++row) few.push_back(row % 2 == 0 ? 100.0F : 150.0F);
+  EXPECT_EQ(digits_of(few), 0) << "two values have as many as any";
+  std::vector<float> in_steps;
+  for (int row = 0; row < 1000; ++row) in_steps.push_back(static_cast<float>(50 + row % 200));
+  EXPECT_EQ(digits_of(in_steps), 0) << "these are steps of one";
 }
 
 TEST(WrittenDigits, AreTheLastBitOfASensorThatIsFiner) {
@@ -45,13 +50,17 @@ TEST(WrittenDigits, AreTheLastBitOfASensorThatIsFiner) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().digits, 4);
   // Three of four values are beyond 0.1 m, in steps of 0.1 mm.
-  EXPECT_NEAR(found.front().step, 1.0e-4 * std::sqrt(0.84), 1.0e-6);
+  EXPECT_DOUBLE_EQ(found.front().step, 1.0e-4);
   EXPECT_DOUBLE_EQ(sensors[Channel::kFeedPosition].lsb, found.front().step);
   Sensors coarse = reference_sensors();
   coarse[Channel::kFeedPosition].lsb = 1.0e-4;
   EXPECT_TRUE(allow_for_digits(signals, coarse).empty()) << "as the file says";
   column = written_as("{:.7g}");
   EXPECT_TRUE(allow_for_digits(signals, sensors).empty());
+  std::vector<float> below;
+  for (int row = 0; row < 1000; ++row)
+    below.push_back(row % 10 == 0 ? 0.1F : 0.00001F * static_cast<float>(9000 + row % 999));
+  EXPECT_DOUBLE_EQ(written_step_of(below), 1.0e-4) << "0.1 in a float has a coarser last digit than 0.0999";
 }
 
 }  // namespace

@@ -1,41 +1,64 @@
 #include "sim_host/diagnose/signals/differenced_speed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+
+#include "sim_host/diagnose/signals/sampling_checks.hpp"
+#include "sim_host/diagnose/signals/written_digits.hpp"
 
 namespace morepro::host {
 namespace {
 
-double bend(const std::vector<double>& values, std::size_t i) {
-  return values[i] - 2.0 * values[i - 1] + values[i - 2];
-}
+/// How a speed differs from a difference of the position, in m/s.
+struct OwnOfSpeed {
+  double share = 1.0;  ///< of what is fast in the difference, noise and rounding, as a mean square
+  double rms = 0.0;
+};
 
-/// Share of what is fast in a position's differences that a speed does not repeat, as a mean square. What is
-/// fast is noise and rounding, of which a sensor of its own shows nothing. `ahead`, `behind`: rows that the
-/// difference is taken over.
-double share_of_its_own(const RecordingSignals& signals, std::size_t behind, std::size_t ahead) {
+/// `behind`, `ahead`: rows that the difference is taken over.
+OwnOfSpeed own_of_speed(const RecordingSignals& signals, std::size_t behind, std::size_t ahead) {
   const auto& position = signals.value[index_of(Channel::kFeedPosition)];
   const auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
   const double per_s = signals.rate_hz / static_cast<double>(behind + ahead);
-  std::vector<double> difference;
-  std::vector<double> own;
+  double of_difference = 0.0, of_own = 0.0, squares = 0.0, count = 0.0;
+  std::array<double, 3> difference{};
+  std::array<double, 3> own{};
+  const auto bend = [](const std::array<double, 3>& last) { return last[0] - 2.0 * last[1] + last[2]; };
   // At the ends nobody knows what was shown.
   for (std::size_t row = 2; row + 2 < signals.rows; ++row) {
-    difference.push_back(
-        per_s * (static_cast<double>(position[row + ahead]) - static_cast<double>(position[row - behind])));
-    own.push_back(static_cast<double>(speed[row]) - difference.back());
+    const double now =
+        per_s * (static_cast<double>(position[row + ahead]) - static_cast<double>(position[row - behind]));
+    difference = {now, difference[0], difference[1]};
+    own = {static_cast<double>(speed[row]) - now, own[0], own[1]};
+    if (row < 4 || !std::isfinite(bend(difference)) || !std::isfinite(bend(own))) continue;
+    of_difference += bend(difference) * bend(difference);
+    of_own += bend(own) * bend(own);
+    squares += own[0] * own[0];
+    count += 1.0;
   }
-  double of_difference = 0.0;
-  double of_own = 0.0;
-  for (std::size_t i = 2; i < own.size(); ++i) {
-    const double fast = bend(difference, i);
-    const double left = bend(own, i);
-    if (!std::isfinite(fast) || !std::isfinite(left)) continue;
-    of_difference += fast * fast;
-    of_own += left * left;
-  }
-  return of_difference > 0.0 ? of_own / of_difference : 1.0;
+  if (!(of_difference > 0.0)) return {};
+  return {.share = of_own / of_difference, .rms = std::sqrt(squares / count)};
+}
+
+OwnOfSpeed least_own_of_speed(const RecordingSignals& signals) {
+  if (!signals.has(Channel::kFeedPosition) || !signals.has(Channel::kFeedSpeed)) return {};
+  const auto by_share = [](const OwnOfSpeed& one) { return one.share; };
+  return std::ranges::min(
+      {own_of_speed(signals, 1, 0), own_of_speed(signals, 0, 1), own_of_speed(signals, 1, 1)}, {}, by_share);
+}
+
+/// What rounding makes of a difference of the position, in m/s: as it was written, and as floats hold it.
+double rounding_of_speed(const RecordingSignals& signals) {
+  constexpr double kOfStep = 0.35;  // 0.29 of uniform rounding
+  constexpr double kOfDigits = 1.0e-6;
+  const auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
+  const double steps = std::max(step_of(speed), written_step_of(speed));
+  const double of_floats = signals.rate_hz * signals.largest(Channel::kFeedPosition) *
+                           static_cast<double>(std::numeric_limits<float>::epsilon());
+  return std::max({kOfStep * steps, kOfDigits * signals.largest(Channel::kFeedSpeed), of_floats});
 }
 
 /// Mean square of second differences where the sensor shows something, over that of white noise of one:
@@ -66,12 +89,12 @@ bool is_difference(const std::vector<float>& column, const SensorNoise& sensor) 
 
 }  // namespace
 
+bool is_speed_of_position(const RecordingSignals& signals) { return least_own_of_speed(signals).share < 0.5; }
+
 bool leave_out_derived_speed(RecordingSignals& signals) {
   constexpr double kNothing = 0.01;
-  if (!signals.has(Channel::kFeedPosition) || !signals.has(Channel::kFeedSpeed)) return false;
-  const double own = std::min(
-      {share_of_its_own(signals, 1, 0), share_of_its_own(signals, 0, 1), share_of_its_own(signals, 1, 1)});
-  if (!(own < kNothing)) return false;
+  const OwnOfSpeed own = least_own_of_speed(signals);
+  if (!(own.share < kNothing) || own.rms > rounding_of_speed(signals)) return false;
   signals.value[index_of(Channel::kFeedSpeed)].clear();
   signals.recorded = static_cast<std::uint16_t>(signals.recorded & ~bit_of(Channel::kFeedSpeed));
   return true;

@@ -8,6 +8,7 @@
 
 #include "lib/gap/repeated_frames.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
+#include "sim_host/diagnose/signals/differenced_speed.hpp"
 
 namespace morepro::host {
 namespace {
@@ -42,24 +43,21 @@ LostRows dropped(const std::vector<float>& column) {
   return lost;
 }
 
-/// Rows in which all sensors repeat themselves, and how many of them may be lost.
+/// What shows that a row repeats the one before. A speed that was taken from the angle does not.
+std::array<Channel, 4> witnesses_of(const RecordingSignals& signals) {
+  return {signals.has_speed_of_angle ? Channel::kSpindleAngle : Channel::kSpindleSpeed,
+          Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition};
+}
+
+/// Rows that repeat the one before, and how many of them may be lost.
 class RepeatedRows {
  public:
-  explicit RepeatedRows(const RecordingSignals& signals) : signals_(signals) {
-    const double speed_step = signals.step[index_of(Channel::kFeedSpeed)];
-    const double position_step = signals.step[index_of(Channel::kFeedPosition)];
-    is_one_feed_sensor_ = speed_step > 0.0 && position_step > 0.0;
-    std::vector<std::size_t> run;
-    for (std::size_t row = 1; row < signals.rows; ++row) {
-      const gap::SameSensors same = compare(row);
-      frames_.see(same);
-      if (same.are_all()) {
-        run.push_back(row);
-        continue;
-      }
-      take(run);
-    }
-    take(run);
+  explicit RepeatedRows(const RecordingSignals& signals)
+      : signals_(signals),
+        witnesses_(witnesses_of(signals)),
+        is_one_feed_sensor_(is_speed_of_position(signals)) {
+    for (std::size_t row = 1; row < signals.rows; ++row)
+      if (frames_.see(compare(row))) rows_.push_back(row - gap::kFramesBeside);
   }
 
   [[nodiscard]] double lost() const { return frames_.lost_share() * static_cast<double>(signals_.rows); }
@@ -68,28 +66,19 @@ class RepeatedRows {
  private:
   [[nodiscard]] gap::SameSensors compare(std::size_t row) const {
     gap::SameSensors same;
-    for (std::size_t k = 0; k < kNoisyChannels.size(); ++k) {
-      const auto& column = signals_.value[index_of(kNoisyChannels[k])];
+    for (std::size_t k = 0; k < witnesses_.size(); ++k) {
+      const auto& column = signals_.value[index_of(witnesses_[k])];
       if (column.empty() || std::isnan(column[row]) || std::isnan(column[row - 1])) continue;
       same.add(k, column[row] == column[row - 1]);
+      same.is_as_before_last &= row > 1 && column[row] == column[row - 2];
     }
-    if (is_one_feed_sensor_) same.join(kFeedSpeed, kFeedPosition);
+    if (is_one_feed_sensor_) same.join(2, 3);
     return same;
   }
 
-  void take(std::vector<std::size_t>& run) {
-    if (run.size() <= gap::RepeatedFrames<double>::kLongestRun)
-      rows_.insert(rows_.end(), run.begin(), run.end());
-    run.clear();
-  }
-
-  static constexpr std::size_t kFeedSpeed = 2;
-  static constexpr std::size_t kFeedPosition = 3;
-  static_assert(kNoisyChannels[kFeedSpeed] == Channel::kFeedSpeed &&
-                kNoisyChannels[kFeedPosition] == Channel::kFeedPosition);
-
   const RecordingSignals& signals_;
-  bool is_one_feed_sensor_ = false;  ///< a speed in steps may be the difference of a position in steps
+  std::array<Channel, 4> witnesses_;
+  bool is_one_feed_sensor_;
   gap::RepeatedFrames<double> frames_;
   std::vector<std::size_t> rows_;
 };
@@ -138,14 +127,21 @@ double rounding_deviance(const std::vector<float>& column, double step, double n
   return kBesideParameters * resting * 0.5 * amplitude * amplitude / (noise * noise + step * step / 12.0);
 }
 
-/// Do the steps of a column hide its noise? Then it mostly shows the same as before; of steps of 2.5 times
-/// the noise, as many sensors have them, it does so in six of ten rows where the machine rests.
-bool hides_noise(const std::vector<float>& column) {
-  constexpr double kMostly = 0.6;
-  std::size_t same = 0;
-  for (std::size_t row = 1; row < column.size(); ++row)
-    if (column[row] == column[row - 1]) ++same;
-  return static_cast<double>(same) > kMostly * static_cast<double>(column.size());
+/// Do the steps of a column hide its noise? Then it mostly shows the same as before where it moves slowly; in
+/// steps of 2.5 times the noise, as many sensors have them, it does so in six of ten rows.
+bool hides_noise(const std::vector<float>& column, double step) {
+  constexpr double kMostly = 0.7;
+  constexpr std::size_t kBeside = 8;
+  double moving = 0.0;
+  double same = 0.0;
+  for (std::size_t row = kBeside; row + kBeside < column.size(); ++row) {
+    const double moved =
+        std::fabs(static_cast<double>(column[row + kBeside]) - static_cast<double>(column[row - kBeside]));
+    if (!(moved > 0.5 * step && moved < 3.5 * step) || std::isnan(column[row] - column[row - 1])) continue;
+    moving += 1.0;
+    if (column[row] == column[row - 1]) same += 1.0;
+  }
+  return same > kMostly * moving;
 }
 
 struct Steps {
@@ -197,10 +193,10 @@ double step_of(const std::vector<float>& column) {
 }
 
 std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors& sensors,
-                                             std::uint16_t assumed) {
+                                             std::uint16_t assumed, std::uint16_t of_their_own) {
   std::vector<SamplingFault> faults;
   for (const Channel channel : kNoisyChannels) {
-    if (!signals.has(channel)) continue;
+    if (!signals.has(channel) || (of_their_own & bit_of(channel)) != 0) continue;
     SensorNoise& sensor = sensors[channel];
     const auto is_coarse = [&sensor](double step) {
       return step > static_cast<double>(sensor.coarsest_step());
@@ -212,7 +208,8 @@ std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors&
     if (!is_coarse(steps.size)) steps = late_steps_of(column);
     if (!is_coarse(steps.size)) continue;
     const double ratio = steps.size / sensor.unit();
-    const bool is_told = (assumed & bit_of(channel)) == 0 || steps.first_row > 0 || hides_noise(column);
+    const bool is_late = steps.first_row > column.size() / 20;
+    const bool is_told = (assumed & bit_of(channel)) == 0 || is_late || hides_noise(column, steps.size);
     if (is_told)
       faults.push_back({.effect = gap::Effect::kSensorQuantization,
                         .channel = channel,

@@ -26,8 +26,9 @@ double step_of(const std::vector<float>& column);
 /// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them, and
 /// what their rounding may be worth to a cause noted in `signals`, as are the steps of all sensors. Of those
 /// that are `assumed`, bit_of(channel), the file says nothing: steps are a fault where they hide the noise.
+/// Those that have steps `of_their_own`, that are known, are not looked at.
 std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors& sensors,
-                                             std::uint16_t assumed = 0);
+                                             std::uint16_t assumed = 0, std::uint16_t of_their_own = 0);
 
 /// The sensors with the steps that the machine is known to have beside them.
 Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> known);

@@ -25,9 +25,12 @@ std::vector<SamplingFault> make_sound(RecordingSignals& signals, Sensors& sensor
                                       std::vector<std::string>& notices) {
   if (leave_out_derived_speed(signals))
     notices.push_back("feed_speed_m_s is the difference of feed_position_m and says nothing more: left out");
-  std::vector<SamplingFault> faults = find_quantization(signals, sensors, assumed);
-  for (const WrittenDigits& written : allow_for_digits(signals, sensors))
+  std::uint16_t of_their_own = signals.has_speed_of_angle ? bit_of(Channel::kSpindleSpeed) : std::uint16_t{0};
+  for (const WrittenDigits& written : allow_for_digits(signals, sensors)) {
     notices.push_back(sentence_of(written));
+    of_their_own = static_cast<std::uint16_t>(of_their_own | bit_of(written.channel));
+  }
+  std::vector<SamplingFault> faults = find_quantization(signals, sensors, assumed, of_their_own);
   for (const Channel channel : allow_for_differences(signals, sensors))
     notices.push_back(fmt::format(
         "{} is the difference of a rounded position: twice the variance of its steps is taken for noise",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace morepro::host {
 namespace {
@@ -11,58 +12,76 @@ namespace {
 constexpr int kFewest = 2;
 constexpr int kMost = 5;
 
-/// Of the last of so many digits of a value that is not 0.
+constexpr double kOfFloat = 1.2e-7;  // relative
+
+/// Of the last of so many digits of a value that is not 0; just below a power of ten a float is that power.
 double step_at(double value, int digits) {
-  return std::pow(10.0, std::floor(std::log10(std::fabs(value))) + 1.0 - digits);
+  return std::pow(10.0, std::floor(std::log10(std::fabs(value) * (1.0 + kOfFloat))) + 1.0 - digits);
 }
 
+bool is_value(float value) { return std::isfinite(value) && value != 0.0F; }
+
 bool has_digits(float value, int digits) {
-  constexpr double kOfFloat = 1.2e-7;  // relative
-  if (!std::isfinite(value) || value == 0.0F) return true;
+  if (!is_value(value)) return true;
   const auto exact = static_cast<double>(value);
-  // A value just below a power of ten in a float is that power.
-  const double step = step_at(exact * (1.0 + kOfFloat), digits);
+  const double step = step_at(exact, digits);
   return std::fabs(exact - step * std::round(exact / step)) <= kOfFloat * std::fabs(exact);
 }
 
-double rms_step_of(const std::vector<float>& column, int digits) {
-  double squares = 0.0;
-  double count = 0.0;
-  for (const float value : column) {
-    if (!std::isfinite(value)) continue;
-    count += 1.0;
-    if (value == 0.0F) continue;
-    const double step = step_at(static_cast<double>(value), digits);
-    squares += step * step;
-  }
-  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+/// Magnitude that a twentieth of a column is beyond; 0 where it hardly has values, or hardly different ones.
+double large_value_of(const std::vector<float>& column) {
+  constexpr std::size_t kFewestValues = 100;
+  constexpr std::ptrdiff_t kFewestDifferent = 50;
+  std::vector<float> values;
+  std::ranges::copy_if(column, std::back_inserter(values), is_value);
+  if (values.size() < kFewestValues) return 0.0;
+  std::ranges::for_each(values, [](float& value) { value = std::fabs(value); });
+  std::ranges::sort(values);
+  const float large = values[values.size() - values.size() / 20 - 1];
+  const auto repeated = std::ranges::unique(values);
+  return std::distance(values.begin(), repeated.begin()) < kFewestDifferent ? 0.0
+                                                                            : static_cast<double>(large);
+}
+
+/// Do small values have finer steps than large ones? Else these are a sensor's steps, like any.
+bool has_finer(const std::vector<float>& column, double step) {
+  constexpr double kSome = 0.02;
+  const auto finer = std::ranges::count_if(column, [step](float value) {
+    const double steps = static_cast<double>(value) / step;
+    return is_value(value) && std::fabs(steps - std::round(steps)) > 0.05;
+  });
+  return static_cast<double>(finer) > kSome * static_cast<double>(column.size());
 }
 
 }  // namespace
 
 int digits_of(const std::vector<float>& column) {
-  constexpr std::ptrdiff_t kFewestValues = 100;
-  const auto is_value = [](float value) { return std::isfinite(value) && value != 0.0F; };
-  if (std::ranges::count_if(column, is_value) < kFewestValues) return 0;
+  const double large = large_value_of(column);
+  if (!(large > 0.0)) return 0;
   int digits = kFewest;
   for (const float value : column)
     while (digits <= kMost && !has_digits(value, digits)) ++digits;
-  return digits <= kMost ? digits : 0;
+  return digits <= kMost && has_finer(column, step_at(large, digits)) ? digits : 0;
 }
 
-std::vector<WrittenDigits> allow_for_digits(const RecordingSignals& signals, Sensors& sensors) {
+double written_step_of(const std::vector<float>& column) {
+  const int digits = digits_of(column);
+  return digits > 0 ? step_at(large_value_of(column), digits) : 0.0;
+}
+
+std::vector<WrittenDigits> allow_for_digits(RecordingSignals& signals, Sensors& sensors) {
   std::vector<WrittenDigits> found;
   for (const Channel channel :
        {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition}) {
     if (!signals.has(channel)) continue;
     const auto& column = signals.value[index_of(channel)];
-    const int digits = digits_of(column);
-    if (digits == 0) continue;
-    const double step = rms_step_of(column, digits);
+    const double step = written_step_of(column);
     SensorNoise& sensor = sensors[channel];
     if (!(step > static_cast<double>(sensor.coarsest_step()))) continue;
     sensor.lsb = step;
-    found.push_back({.channel = channel, .digits = digits, .step = step});
+    double& known = signals.step[index_of(channel)];
+    known = std::max(known, step);
+    found.push_back({.channel = channel, .digits = digits_of(column), .step = step});
   }
   return found;
 }
