@@ -55,7 +55,7 @@ TEST(DifferencedSpeed, IsNoRoundedOne) {
 /// A position in steps of 1 um that is known to half of one, and a speed that `speed_of` makes of it and of
 /// where the axis is, all in steps and rows, in steps of its own.
 template <class SpeedOf>
-RecordingSignals with_position_and(SpeedOf speed_of) {
+RecordingSignals with_position_and(SpeedOf speed_of, double rad_per_row = 0.01) {
   constexpr int kRows = 4000;
   RecordingSignals signals;
   signals.rate_hz = 1000.0;
@@ -65,7 +65,7 @@ RecordingSignals with_position_and(SpeedOf speed_of) {
   std::vector<double> place(kRows);
   std::vector<double> shown(kRows);
   for (int row = 0; row < kRows; ++row) {
-    place[row] = 3000.0 * std::sin(0.01 * row);
+    place[row] = 3000.0 * std::sin(rad_per_row * row);
     shown[row] = std::round(place[row] + noise(random));
   }
   for (int row = 0; row < kRows; ++row) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "sim_host/diagnose/signals/sampling_checks.hpp"
 #include "sim_host/diagnose/signals/speed_of_angle.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
@@ -61,6 +62,37 @@ TEST(SpeedOfAngle, IsKnownAsItsAngleIs) {
               0.02 * kExpected);
   EXPECT_NEAR(noise_of(known_by_angle(false, 1.0e-4), {}), kExpected, 0.1 * kExpected)
       << "as it shows, where nothing is stated";
+}
+
+// Its first and its last row have no speed, and nothing is lost; a row that is shown once more is, and takes
+// the speeds beside it along.
+TEST(SpeedOfAngle, LosesRowsAsItsAngleDoes) {
+  const auto short_one = [] {
+    RecordingSignals signals = known_by_angle(false, 1.0e-4);
+    signals.rows = 3000;
+    signals.recorded = static_cast<std::uint16_t>(signals.recorded | bit_of(Channel::kArmatureCurrent));
+    std::mt19937 random(2);
+    std::normal_distribution<float> normal;
+    signals.value[index_of(Channel::kSpindleAngle)].resize(signals.rows);
+    for (std::size_t row = 0; row < signals.rows; ++row)
+      signals.value[index_of(Channel::kArmatureCurrent)].push_back(normal(random));
+    return signals;
+  };
+  Sensors sensors = reference_sensors();
+  RecordingSignals sound = short_one();
+  ASSERT_TRUE(host::take_speed_from_angle(sound, sensors));
+  EXPECT_FALSE(host::find_dropout(sound).has_value());
+  RecordingSignals losing = short_one();
+  for (const Channel channel : {Channel::kSpindleAngle, Channel::kArmatureCurrent})
+    for (std::size_t row = 50; row < losing.rows; row += 50)
+      losing.value[index_of(channel)][row] = losing.value[index_of(channel)][row - 1];
+  ASSERT_TRUE(host::take_speed_from_angle(losing, sensors));
+  const auto fault = host::find_dropout(losing);
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_NEAR(fault->size, 0.02, 0.001);
+  const auto& speed = losing.value[index_of(Channel::kSpindleSpeed)];
+  EXPECT_TRUE(std::isnan(speed[99]) && std::isnan(speed[100]) && std::isnan(speed[101]));
+  EXPECT_FALSE(std::isnan(speed[98]) || std::isnan(speed[102]));
 }
 
 TEST(SpeedOfAngle, IsNoneOfAnAngleThatDoesNotTurnOrTooFast) {

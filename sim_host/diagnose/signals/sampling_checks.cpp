@@ -85,16 +85,22 @@ class RepeatedRows {
 
 /// The samples of a row that repeats the one before. Where its inputs do so, too, the whole row does.
 void leave_out(RecordingSignals& signals, std::size_t row) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   const auto repeats = [&signals, row](Channel channel) {
     const auto& column = signals.value[index_of(channel)];
     return column.empty() || column[row] == column[row - 1];
   };
   const bool is_all = repeats(Channel::kArmatureVoltage) && repeats(Channel::kFeedForce);
   for (const Channel channel : kNoisyChannels)
-    if (signals.has(channel)) signals.value[index_of(channel)][row] = std::numeric_limits<float>::quiet_NaN();
+    if (signals.has(channel)) signals.value[index_of(channel)][row] = kNone;
+  if (signals.has_speed_of_angle) {  // whose neighbours were taken from this row, too
+    auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
+    speed[row - 1] = kNone;
+    if (row + 1 < speed.size()) speed[row + 1] = kNone;
+  }
   if (!is_all) return;
   for (auto& column : signals.value)
-    if (!column.empty()) column[row] = std::numeric_limits<float>::quiet_NaN();
+    if (!column.empty()) column[row] = kNone;
   ++signals.missing_rows;
 }
 
@@ -263,7 +269,7 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
 
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals) {
   LostRows lost;  // before rows that repeat others become holes, too
-  for (const Channel channel : kNoisyChannels) {
+  for (const Channel channel : witnesses_of(signals)) {
     if (!signals.has(channel)) continue;
     if (const LostRows here = dropped(signals.value[index_of(channel)]); here.count > lost.count) lost = here;
   }
