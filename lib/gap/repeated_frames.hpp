@@ -153,10 +153,10 @@ class RepeatedFrames {
 
   /// Share of the frames that was lost, 0 .. 1; 0 where so many may be chance, which is not known better than
   /// to its half, or a motion that turns. Sensors in coarse steps that turn together within a frame or two
-  /// are the same then in up to a hundredth of all frames.
+  /// are the same then in up to 0.6 % of all frames.
   [[nodiscard]] Real lost_share() const {
-    constexpr Real kFine = Real(0.001);
-    constexpr Real kLeastOfCoarse = Real(0.01);
+    constexpr Real kFine = Real(1.0e-4);
+    constexpr Real kLeastOfCoarse = Real(0.0075);
     const Real lost = repeated_ - by_chance_;
     const bool is_more =
         is_beyond(repeated_, Real(2) * by_chance_) && is_beyond(repeated_, Real(1.5) * as_before_last_);

@@ -91,6 +91,12 @@ TEST(DerivedSpeed, IsLeftOut) {
   EXPECT_FALSE(is_left_out([](const Places&, const Places& at, int k) {
     return 0.5 * (at[k + 1] - at[k - 1]);
   })) << "it has a sensor of its own";
+  // So fast that motion is all that is seen, a thousandth of it the sensor's noise.
+  const auto noisy = [](const Places&, const Places& at, int k) {
+    return 0.5 * (at[k + 1] - at[k - 1]) + 2.0 * std::sin(17.0 * k);
+  };
+  RecordingSignals fast = with_position_and(noisy, 0.6);
+  EXPECT_FALSE(host::leave_out_derived_speed(fast));
 }
 
 // What such a sensor has beside its noise, and all that it has.

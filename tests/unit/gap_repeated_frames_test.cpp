@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <utility>
 
@@ -17,6 +18,8 @@ struct Machine {
   double steps_per_frame = 0.0;
   int rests_every = 0;      ///< frames of motion, and as many of rest
   double lost_share = 0.0;  ///< of its frames, one to three at once
+  double swing = 0.0;       ///< steps, within `period` frames
+  int period = 100;
   int frames = 100000;
 };
 
@@ -32,6 +35,7 @@ RepeatedFrames<double> seen_of(const Machine& machine, unsigned seed = 1) {
   for (int i = 0; i < machine.frames; ++i) {
     const bool is_at_rest = machine.rests_every > 0 && i / machine.rests_every % 2 == 1;
     if (!is_at_rest) place += machine.steps_per_frame;
+    if (machine.swing > 0.0) place = machine.swing * std::sin(2.0 * std::numbers::pi * i / machine.period);
     if (lost > 0)
       --lost;
     else if (uniform(random) < 0.5 * machine.lost_share)
@@ -97,6 +101,15 @@ TEST(RepeatedFrames, AreNoneAtTheEdgesOfARest) {
                       .lost_share(),
                   0.0)
             << sensors << " sensors, noise " << noise << ", " << every << " frames";
+}
+
+// Two sensors that swing in phase are the same together within a frame or two of where they turn.
+TEST(RepeatedFrames, AreNoneWhereAMotionTurns) {
+  EXPECT_EQ(seen_of({.noise = 1.0, .swing = 100.0, .period = 63}).lost_share(), 0.0);
+  EXPECT_EQ(seen_of({.noise = 1.0, .swing = 100.0, .period = 102}).lost_share(), 0.0);
+  EXPECT_EQ(seen_of({.noise = 1.0, .swing = 300.0, .period = 203}).lost_share(), 0.0);
+  EXPECT_EQ(seen_of({.noise = 0.7, .swing = 300.0, .period = 203}).lost_share(), 0.0);
+  EXPECT_GT(seen_of({.noise = 1.0, .lost_share = 0.05, .swing = 100.0, .period = 102}).lost_share(), 0.03);
 }
 
 TEST(RepeatedFrames, AreNoneOfAMachineThatStandsStillForLong) {
