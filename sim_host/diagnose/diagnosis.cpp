@@ -31,6 +31,7 @@
 #include "sim_host/diagnose/search/clock_jitter.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/diagnose/search/winding_heat.hpp"
+#include "sim_host/diagnose/signals/current_drive.hpp"
 #include "sim_host/diagnose/signals/reference_scales.hpp"
 #include "sim_host/diagnose/signals/sampling_checks.hpp"
 #include "sim_host/diagnose/signals/shown_noise.hpp"
@@ -61,7 +62,10 @@ class Diagnosis {
 
   void run() {
     Sensors sensors = with_known_steps(machine_.configuration.sensors, machine_.effects);
-    complete(signals_, sensors, machine_.has_spindle, result_.notices);
+    for (const Channel channel : leave_out_dead_sensors(signals_, sensors))
+      result_.notices.push_back(fmt::format("{} never changes although its sensor has noise; it is left out",
+                                            kChannels[index_of(channel)].column));
+    if (machine_.has_spindle) drive_by_current(signals_);
     for (std::string& lack : untested_effects(signals_, machine_)) result_.notices.push_back(std::move(lack));
     faults_ = make_sound(signals_, sensors, machine_.assumed_noise, result_.notices);
     for (const ShownNoise& shown : instead_of_assumed(signals_, machine_.assumed_noise, sensors))

@@ -57,8 +57,7 @@ double known_bias_rad_s(const GapModel& model) {
 }  // namespace
 
 std::optional<ToldBias> bias_told_by_angle(const RecordingSignals& signals, double onset_s) {
-  const bool has_both = signals.has(Channel::kSpindleAngle) && signals.has(Channel::kSpindleSpeed);
-  if (!has_both || signals.has_speed_of_angle) return std::nullopt;
+  if (!signals.has(Channel::kSpindleAngle) || !signals.has(Channel::kSpindleSpeed)) return std::nullopt;
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Eigen::Vector3d products = Eigen::Vector3d::Zero();
   double squares = 0.0;

@@ -103,8 +103,7 @@ std::vector<std::string> impossible_samples(const RecordingSignals& signals) {
 }
 
 void check_contact(const RecordingSignals& signals, const MachineDescription& machine) {
-  const bool turns = signals.has(Channel::kSpindleSpeed) || signals.has(Channel::kSpindleAngle);
-  if (!machine.has_spindle || machine.has_contact || !turns) return;
+  if (!machine.has_spindle || machine.has_contact || !signals.has(Channel::kSpindleSpeed)) return;
   for (const float contact : signals.value[index_of(Channel::kContact)]) {
     if (!(contact > 0.0F)) continue;
     throw UserError(

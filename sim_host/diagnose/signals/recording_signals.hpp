@@ -28,9 +28,8 @@ struct RecordingSignals {
   std::size_t rows = 0;          ///< of the grid
   std::size_t missing_rows = 0;  ///< of the grid, without a frame
   bool is_thinned = false;  ///< neighbouring samples are farther apart than what shakes the machine lasts
-  bool has_speed_of_angle = false;  ///< the spindle's speed is not recorded, it was taken from the angle
-  bool is_current_driven = false;   ///< the spindle's voltage is not recorded, it follows from the current
-  std::uint16_t recorded = 0;       ///< bit_of(channel) of what was sampled at least once
+  bool is_current_driven = false;  ///< the spindle's voltage is not recorded, it follows from the current
+  std::uint16_t recorded = 0;      ///< bit_of(channel) of what was sampled at least once
   std::array<std::vector<float>, kChannelCount> value;  ///< NaN where there is no sample; empty where never
   std::array<std::size_t, kChannelCount>
       impossible{};  ///< samples that no sensor of that kind gives: not taken

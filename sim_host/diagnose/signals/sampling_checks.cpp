@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::array kNoisyChannels{Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed,
                                     Channel::kFeedPosition};
+constexpr std::size_t kFeedSpeed = 2;  // of these
+constexpr std::size_t kFeedPosition = 3;
 constexpr std::size_t kFewestStepValues = 500;
 constexpr std::size_t kMostStepValues = 20000;
 constexpr double kStepError = 1.0e-3;  // relative: samples are recorded with seven digits
@@ -43,19 +45,11 @@ LostRows dropped(const std::vector<float>& column) {
   return lost;
 }
 
-/// What shows that a row repeats the one before. A speed that was taken from the angle does not.
-std::array<Channel, 4> witnesses_of(const RecordingSignals& signals) {
-  return {signals.has_speed_of_angle ? Channel::kSpindleAngle : Channel::kSpindleSpeed,
-          Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition};
-}
-
 /// Rows that repeat the one before, and how many of them may be lost.
 class RepeatedRows {
  public:
   explicit RepeatedRows(const RecordingSignals& signals)
-      : signals_(signals),
-        witnesses_(witnesses_of(signals)),
-        is_one_feed_sensor_(is_speed_of_position(signals)) {
+      : signals_(signals), is_one_feed_sensor_(is_speed_of_position(signals)) {
     for (std::size_t row = 1; row < signals.rows; ++row)
       if (frames_.see(compare(row))) rows_.push_back(row - gap::kFramesBeside);
   }
@@ -66,18 +60,17 @@ class RepeatedRows {
  private:
   [[nodiscard]] gap::SameSensors compare(std::size_t row) const {
     gap::SameSensors same;
-    for (std::size_t k = 0; k < witnesses_.size(); ++k) {
-      const auto& column = signals_.value[index_of(witnesses_[k])];
+    for (std::size_t k = 0; k < kNoisyChannels.size(); ++k) {
+      const auto& column = signals_.value[index_of(kNoisyChannels[k])];
       if (column.empty() || std::isnan(column[row]) || std::isnan(column[row - 1])) continue;
       same.add(k, column[row] == column[row - 1]);
       same.is_as_before_last &= row > 1 && column[row] == column[row - 2];
     }
-    if (is_one_feed_sensor_) same.join(2, 3);
+    if (is_one_feed_sensor_) same.join(kFeedSpeed, kFeedPosition);
     return same;
   }
 
   const RecordingSignals& signals_;
-  std::array<Channel, 4> witnesses_;
   bool is_one_feed_sensor_;
   gap::RepeatedFrames<double> frames_;
   std::vector<std::size_t> rows_;
@@ -93,11 +86,6 @@ void leave_out(RecordingSignals& signals, std::size_t row) {
   const bool is_all = repeats(Channel::kArmatureVoltage) && repeats(Channel::kFeedForce);
   for (const Channel channel : kNoisyChannels)
     if (signals.has(channel)) signals.value[index_of(channel)][row] = kNone;
-  if (signals.has_speed_of_angle) {  // whose neighbours were taken from this row, too
-    auto& speed = signals.value[index_of(Channel::kSpindleSpeed)];
-    speed[row - 1] = kNone;
-    if (row + 1 < speed.size()) speed[row + 1] = kNone;
-  }
   if (!is_all) return;
   for (auto& column : signals.value)
     if (!column.empty()) column[row] = kNone;
@@ -269,7 +257,7 @@ std::vector<Channel> leave_out_dead_sensors(RecordingSignals& signals, const Sen
 
 std::optional<SamplingFault> find_dropout(RecordingSignals& signals) {
   LostRows lost;  // before rows that repeat others become holes, too
-  for (const Channel channel : witnesses_of(signals)) {
+  for (const Channel channel : kNoisyChannels) {
     if (!signals.has(channel)) continue;
     if (const LostRows here = dropped(signals.value[index_of(channel)]); here.count > lost.count) lost = here;
   }
