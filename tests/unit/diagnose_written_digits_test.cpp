@@ -59,8 +59,8 @@ TEST(WrittenDigits, AreTheLastBitOfASensorThatIsFiner) {
   EXPECT_TRUE(allow_for_digits(signals, sensors).empty());
   std::vector<float> below;
   for (int row = 0; row < 1000; ++row)
-    below.push_back(row % 10 == 0 ? 0.1F : 0.00001F * static_cast<float>(9000 + row % 999));
-  EXPECT_DOUBLE_EQ(written_step_of(below), 1.0e-4) << "0.1 in a float has a coarser last digit than 0.0999";
+    below.push_back(row % 10 == 0 ? 0.01F : 0.000001F * static_cast<float>(9000 + row % 999));
+  EXPECT_DOUBLE_EQ(written_step_of(below), 1.0e-5) << "0.01, just below it in a float";
 }
 
 }  // namespace

@@ -201,45 +201,47 @@ TEST(SampleWatch, SeesRepeatedFramesOfSensorsThatAllHaveSteps) {
   EXPECT_EQ(after(repeated).effect, Effect::kSampleDropout);
 }
 
-// Of steps that are three times their noise sensors at rest are the same in six of ten frames; where the
-// machine rests for 100 frames between two jogs, its edges would look like lost frames.
-TEST(SampleWatch, SeesNoneAtTheEdgesOfARestOfCoarseSensors) {
-  Watch watch({.lost_share = 0.001F});
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal(0.0, 0.33);
-  std::array<Frame, 3> last{};
-  double place = 0.0;
-  for (int i = 0; i < 20000; ++i) {
-    if (i / 100 % 2 == 0) place = std::fmod(place + 5.0, 10000.0);
-    Frame frame;
-    frame.has_speed = frame.has_current = true;
-    frame.speed_rad_s = static_cast<float>(std::round(place + normal(random)));
-    frame.current_a = static_cast<float>(std::round(place + normal(random)));
-    last = {frame, last[0], last[1]};
-    watch.count(1);
-    if (i > 1) watch.see(last[0], last[1], last[2]);
-  }
-  watch.end();
-  EXPECT_EQ(watch.finding().verdict, GapVerdict::kNotEnoughData);
-}
-
-// What is the same twice in a position is no speed, and then none again.
-TEST(SampleWatch, SeesNoRepeatedFramesInAPositionAndItsDifference) {
+/// After 20000 frames: `shown(i, before, noise)` with noise of one.
+template <class Shown>
+GapVerdict verdict_after(Shown shown) {
   Watch watch({.lost_share = 0.001F});
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   std::array<Frame, 3> last{};
   for (int i = 0; i < 20000; ++i) {
-    Frame frame;
-    frame.has_feed_speed = frame.has_feed_position = true;
-    frame.feed_position_m = static_cast<float>(std::round(100.0 * std::sin(0.001 * i) + normal(random)));
-    frame.feed_speed_m_s = frame.feed_position_m - last[0].feed_position_m;
-    last = {frame, last[0], last[1]};
+    last = {shown(i, last[0], [&] { return normal(random); }), last[0], last[1]};
     watch.count(1);
     if (i > 1) watch.see(last[0], last[1], last[2]);
   }
   watch.end();
-  EXPECT_EQ(watch.finding().verdict, GapVerdict::kNotEnoughData);
+  return watch.finding().verdict;
+}
+
+// Of steps that are three times their noise sensors at rest are the same in six of ten frames; where the
+// machine rests for 100 frames between two jogs, its edges would look like lost frames.
+TEST(SampleWatch, SeesNoneAtTheEdgesOfARestOfCoarseSensors) {
+  double place = 0.0;
+  const auto shown = [&place](int i, const Frame&, auto noise) {
+    if (i / 100 % 2 == 0) place = std::fmod(place + 5.0, 10000.0);
+    Frame frame;
+    frame.has_speed = frame.has_current = true;
+    frame.speed_rad_s = static_cast<float>(std::round(place + 0.33 * noise()));
+    frame.current_a = static_cast<float>(std::round(place + 0.33 * noise()));
+    return frame;
+  };
+  EXPECT_EQ(verdict_after(shown), GapVerdict::kNotEnoughData);
+}
+
+// What is the same twice in a position is no speed, and then none again.
+TEST(SampleWatch, SeesNoRepeatedFramesInAPositionAndItsDifference) {
+  const auto shown = [](int i, const Frame& before, auto noise) {
+    Frame frame;
+    frame.has_feed_speed = frame.has_feed_position = true;
+    frame.feed_position_m = static_cast<float>(std::round(100.0 * std::sin(0.001 * i) + noise()));
+    frame.feed_speed_m_s = frame.feed_position_m - before.feed_position_m;
+    return frame;
+  };
+  EXPECT_EQ(verdict_after(shown), GapVerdict::kNotEnoughData);
 }
 
 /// Sensors that rest, or have coarse steps, are the same from frame to frame without anything lost.

@@ -53,21 +53,28 @@ bool has_finer(const std::vector<float>& column, double step) {
   return static_cast<double>(finer) > kSome * static_cast<double>(column.size());
 }
 
+struct DigitsAndStep {
+  int digits = 0;
+  double step = 0.0;
+};
+
+/// The digits first: most columns have more, and are done with at once.
+DigitsAndStep written(const std::vector<float>& column) {
+  int digits = kFewest;
+  for (const float value : column) {
+    while (digits <= kMost && !has_digits(value, digits)) ++digits;
+    if (digits > kMost) return {};
+  }
+  const double large = large_value_of(column);
+  if (!(large > 0.0) || !has_finer(column, step_at(large, digits))) return {};
+  return {.digits = digits, .step = step_at(large, digits)};
+}
+
 }  // namespace
 
-int digits_of(const std::vector<float>& column) {
-  const double large = large_value_of(column);
-  if (!(large > 0.0)) return 0;
-  int digits = kFewest;
-  for (const float value : column)
-    while (digits <= kMost && !has_digits(value, digits)) ++digits;
-  return digits <= kMost && has_finer(column, step_at(large, digits)) ? digits : 0;
-}
+int digits_of(const std::vector<float>& column) { return written(column).digits; }
 
-double written_step_of(const std::vector<float>& column) {
-  const int digits = digits_of(column);
-  return digits > 0 ? step_at(large_value_of(column), digits) : 0.0;
-}
+double written_step_of(const std::vector<float>& column) { return written(column).step; }
 
 std::vector<WrittenDigits> allow_for_digits(RecordingSignals& signals, Sensors& sensors) {
   std::vector<WrittenDigits> found;
@@ -75,13 +82,13 @@ std::vector<WrittenDigits> allow_for_digits(RecordingSignals& signals, Sensors& 
        {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition}) {
     if (!signals.has(channel)) continue;
     const auto& column = signals.value[index_of(channel)];
-    const double step = written_step_of(column);
+    const auto [digits, step] = written(column);
     SensorNoise& sensor = sensors[channel];
     if (!(step > static_cast<double>(sensor.coarsest_step()))) continue;
     sensor.lsb = step;
     double& known = signals.step[index_of(channel)];
     known = std::max(known, step);
-    found.push_back({.channel = channel, .digits = digits_of(column), .step = step});
+    found.push_back({.channel = channel, .digits = digits, .step = step});
   }
   return found;
 }
