@@ -254,7 +254,7 @@ class GapWatch {
     begin_stretch();
   }
 
-  void begin_stretch() {
+  [[gnu::noinline, gnu::cold]] void begin_stretch() {
     samples_.count(phase_);
     samples_.end();
     phase_ = seen_ = 0;

@@ -19,14 +19,6 @@ struct SameSensors {
     measured = static_cast<std::uint8_t>(measured | 1U << sensor);
     if (is_same) same = static_cast<std::uint8_t>(same | 1U << sensor);
   }
-  /// One of two that show the same thing, a speed that is the difference of a position: they are one witness.
-  void join(std::size_t sensor, std::size_t other) {
-    if ((measured >> sensor & measured >> other & 1U) == 0) return;
-    const unsigned both = same >> sensor & same >> other & 1U;
-    const unsigned neither = ~(1U << sensor | 1U << other);
-    measured = static_cast<std::uint8_t>(measured & ~(1U << other));
-    same = static_cast<std::uint8_t>((same & neither) | both << sensor);
-  }
   /// Does the frame repeat the other one? One sensor alone may stand still.
   [[nodiscard]] bool are_all() const {
     const bool is_one = (measured & (measured - 1)) == 0;
@@ -125,7 +117,7 @@ class RepeatedFrames {
     if (seen_ == kFrames) before_.remove(back(2 * kBeside));
     if (seen_ > kBeside) before_.add(back(kBeside));
     if (seen_ >= kBeside) after_.remove(back(kBeside - 1));
-    newest_ = static_cast<std::uint8_t>((newest_ + 1U) % kFrames);
+    newest_ = static_cast<std::uint8_t>(newest_ + 1U == kFrames ? 0U : newest_ + 1U);
     frame_[newest_] = {sensors, run_ > kLongestRun};
     after_.add(frame_[newest_]);
     if (seen_ < kFrames) ++seen_;
@@ -169,7 +161,7 @@ class RepeatedFrames {
   static constexpr std::uint32_t kFrames = 2 * kBeside + 1;
 
   [[nodiscard]] const SeenFrame& back(std::uint32_t frames) const {
-    return frame_[(newest_ + kFrames - frames) % kFrames];
+    return frame_[newest_ >= frames ? newest_ - frames : newest_ + kFrames - frames];
   }
 
   static bool is_beyond(Real count, Real expected) {

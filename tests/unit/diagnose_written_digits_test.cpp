@@ -32,7 +32,7 @@ TEST(WrittenDigits, AreCounted) {
   EXPECT_EQ(digits_of(std::vector<float>(1000, 0.0F)), 0) << "nothing to tell them by";
   EXPECT_EQ(digits_of(std::vector<float>(20, 0.5F)), 0) << "too few";
   std::vector<float> few;
-  for (int row = 0; row < 1000; ++row) few.push_back(row % 2 == 0 ? 100.0F : 150.0F);
+  for (int row = 0; row < 1000; ++row) few.push_back(row % 2 == 0 ? 12.0F : 0.5F);
   EXPECT_EQ(digits_of(few), 0) << "two values have as many as any";
   std::vector<float> in_steps;
   for (int row = 0; row < 1000; ++row) in_steps.push_back(static_cast<float>(50 + row % 200));
