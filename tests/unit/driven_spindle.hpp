@@ -24,6 +24,8 @@ struct DrivenSpindle {
   std::function<double(const SpindleState&, double contact)> brake_at = [](const SpindleState&, double) {
     return 0.0;
   };
+  /// That nobody knows of, against positive speed, in N m at a time in s; the same in all of an interval.
+  std::function<double(double)> load_at = [](double) { return 0.0; };
   /// Share of the datasheet's inductance at an angle in rad.
   std::function<double(double)> inductance_at = [](double) { return 1.0; };
   /// Share of the datasheet's resistance at a time in s.
@@ -71,10 +73,11 @@ inline RecordingSignals record(const DrivenSpindle& spindle) {
     if (spindle.shows_angle) show(signals, Channel::kSpindleAngle, x.angle_rad);
     const double resistance_ohm = motor.resistance_ohm * spindle.resistance_at(time_s);
     const double inertia_kgm2 = motor.inertia_kgm2 * spindle.inertia_at(time_s);
+    const double load_nm = spindle.load_at(time_s);
     for (int step = 0; step < kSteps; ++step) {
       const double cut_nm = contact * cut(x.speed_rad_s, chip_load_mm, tool_degc).torque_nm;
       const double left_nm = motor.torque_constant_nm_a * x.current_a -
-                             motor.viscous_friction_nms_rad * x.speed_rad_s - cut_nm -
+                             motor.viscous_friction_nms_rad * x.speed_rad_s - cut_nm - load_nm -
                              spindle.brake_at(x, contact);
       const double left_v =
           voltage_v - resistance_ohm * x.current_a - motor.back_emf_constant_vs_rad * x.speed_rad_s;

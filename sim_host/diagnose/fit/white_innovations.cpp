@@ -14,23 +14,29 @@ constexpr double kChanceDeviations = 4.0;  // standard deviations
 
 using PerSensor = std::array<std::vector<float>, kSensorsPerAxis>;
 
-/// From those before, of both sensors; the first `left_out` are not predicted.
-double predictable_deviance(const PerSensor& white, std::size_t lags, std::size_t left_out) {
+struct Lags {
+  std::size_t first = 1;
+  std::size_t last = 1;
+  std::size_t left_out = 1;  ///< so many of the first ones are not predicted
+};
+
+/// From those before, of both sensors.
+double predictable_deviance(const PerSensor& white, const Lags& lags) {
   double sum = 0.0;
   double count = 0.0;
   const auto add = [&](const std::vector<float>& now, const std::vector<float>& before, std::size_t lag) {
-    if (now.size() != before.size() || now.size() <= left_out) return;
-    const auto rows = static_cast<Eigen::Index>(now.size() - left_out);
+    if (now.size() != before.size() || now.size() <= lags.left_out) return;
+    const auto rows = static_cast<Eigen::Index>(now.size() - lags.left_out);
     using Values = Eigen::Map<const Eigen::VectorXf>;
-    const Values a(now.data() + left_out, rows);
-    const Values b(before.data() + left_out - lag, rows);
+    const Values a(now.data() + lags.left_out, rows);
+    const Values b(before.data() + lags.left_out - lag, rows);
     const double power = static_cast<double>(a.squaredNorm()) * static_cast<double>(b.squaredNorm());
     if (!(power > 0.0)) return;
     const double product = static_cast<double>(a.dot(b));
     sum += static_cast<double>(rows) * product * product / power;
     count += 1.0;
   };
-  for (std::size_t lag = 1; lag <= lags; ++lag)
+  for (std::size_t lag = lags.first; lag <= lags.last; ++lag)
     for (const auto& now : white)
       for (const auto& before : white) add(now, before, lag);
   // Each is a chi-square of one degree of freedom by chance.
@@ -76,14 +82,14 @@ std::vector<float> white_innovations(const GapStatistics& statistics, std::size_
 
 double predictable_deviance(const GapStatistics& statistics) {
   constexpr std::size_t kLags = SensorWhitening::kLags.back();
-  return predictable_deviance(whitened(statistics), kLags, 2 * kLags);
+  return predictable_deviance(whitened(statistics), {.last = kLags, .left_out = 2 * kLags});
 }
 
-double slowly_predictable_deviance(const GapStatistics& statistics, std::size_t rows) {
-  constexpr std::size_t kLags = 3;
+double slowly_predictable_deviance(const GapStatistics& statistics, std::size_t rows, std::size_t first) {
   PerSensor means = whitened(statistics);
   for (std::vector<float>& values : means) values = means_of(values, rows);
-  return predictable_deviance(means, kLags, kLags);
+  const std::size_t last = first + 2;
+  return predictable_deviance(means, {.first = first, .last = last, .left_out = last});
 }
 
 }  // namespace morepro::host

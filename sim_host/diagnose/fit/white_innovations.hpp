@@ -15,8 +15,9 @@ std::vector<float> white_innovations(const GapStatistics& statistics, std::size_
 /// this, and in closed loop any function of the machine's motion may take some of it.
 double predictable_deviance(const GapStatistics& statistics);
 
-/// The same of means over `rows` innovations each, from the three before: noise of short memory leaves next
-/// to nothing there, what wanders does.
-double slowly_predictable_deviance(const GapStatistics& statistics, std::size_t rows);
+/// The same of means over `rows` innovations each, from three of those before, `first` means back and on: of
+/// noise of short memory the last one knows next to nothing, and those before it nothing; of what wanders all
+/// of them do.
+double slowly_predictable_deviance(const GapStatistics& statistics, std::size_t rows, std::size_t first = 1);
 
 }  // namespace morepro::host

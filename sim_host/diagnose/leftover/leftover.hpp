@@ -18,6 +18,7 @@ struct Leftover {
   bool is_lines_only = false;                ///< the functions merely stand in for the lines
   double ringing_hz = 0.0;                   ///< of the resonance that takes most; 0: none does
   std::string changed_values{};              ///< what has become of the machine, where that takes most
+  bool wanders = false;  ///< it lasts for longer than random forces do, and follows nothing
 };
 
 /// Smooth functions of what is measured, and lines in the spectrum over time and over the spindle's angle.

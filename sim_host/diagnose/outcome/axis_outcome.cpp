@@ -12,6 +12,7 @@
 #include "sim_host/diagnose/fit/standstill.hpp"
 #include "sim_host/diagnose/fit/surprises.hpp"
 #include "sim_host/diagnose/fit/white_innovations.hpp"
+#include "sim_host/diagnose/leftover/wandering.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
 #include "sim_host/diagnose/outcome/changed_values.hpp"
 #include "sim_host/diagnose/outcome/name_checks.hpp"
@@ -226,6 +227,15 @@ void keep_changed_values(AxisOutcome& outcome) {
       .gain = changed->deviance, .torque_share = changed->torque_share, .changed_values = changed->words};
 }
 
+/// What comes and goes by itself is random forces to an observer, too.
+void keep_wandering(AxisOutcome& outcome) {
+  const bool is_gap = !outcome.diagnosis.found.empty() || outcome.unnamed_deviance() > 0.0;
+  if (is_gap || outcome.diagnosis.fit.signals().is_thinned) return;
+  const Wandering wandering = wandering_of(outcome.diagnosis.fit);
+  if (wandering.deviance > 0.0)
+    outcome.leftover = {.gain = wandering.deviance, .torque_share = wandering.torque_share, .wanders = true};
+}
+
 /// Lags that the input's news explain as well, unless structure is left without them: noise has none.
 void drop_lags_of_news(AxisOutcome& outcome) {
   AxisDiagnosis before = outcome.diagnosis;
@@ -266,6 +276,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   keep_surprises(outcome);
   keep_ringing(outcome);
   keep_changed_values(outcome);
+  keep_wandering(outcome);
   if (is_lasting) {
     diagnosis.fit.refit_beside_lasting_noise(Memory::kLong);
     take_plain_sizes(diagnosis);
@@ -322,6 +333,7 @@ void AxisOutcome::keep_without_name(double deviance, double torque_share) {
   if (!(leftover.gain > 0.0)) leftover.torque_share = torque_share;
   leftover.gain = deviance;
   leftover.ringing_hz = 0.0;
+  leftover.wanders = false;
 }
 
 double AxisOutcome::threshold() const { return std::max(least_function(), noise_evidence); }

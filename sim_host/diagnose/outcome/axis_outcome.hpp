@@ -43,7 +43,8 @@ struct AxisOutcome {
   [[nodiscard]] double least_unnamed() const { return std::max(kLeastUnnamed, noise_evidence); }
   /// Deviance of what has no name; 0 where chance may do as much.
   [[nodiscard]] double unnamed_deviance() const {
-    const bool is_beside_noise = leftover.ringing_hz > 0.0;  // which it was weighed against already
+    // Which it was weighed against already.
+    const bool is_beside_noise = leftover.ringing_hz > 0.0 || leftover.wanders;
     return is_beside_noise || leftover.gain >= least_unnamed() ? leftover.gain : 0.0;
   }
   /// As much of it as sits in one balance of the axis.

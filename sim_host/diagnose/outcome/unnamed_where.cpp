@@ -175,6 +175,9 @@ std::vector<FollowedSignal> followed_by_unnamed(const AxisOutcome& outcome) {
   if (outcome.leftover.ringing_hz > 0.0)
     followed.push_back({gap::Balance::kFeedForce, fmt::format("a resonance near {:.0f} Hz behind the motion",
                                                               outcome.leftover.ringing_hz)});
+  if (outcome.leftover.wanders)
+    followed.push_back({balance_of_most(outcome),
+                        "its own past, for longer than random forces last, and nothing that is recorded"});
   if (has_changed(outcome)) followed.push_back({balance_of_most(outcome), outcome.leftover.changed_values});
   const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
   for (const gap::EffectForm& form : outcome.leftover.functions) {

@@ -1,0 +1,15 @@
+#pragma once
+#include "sim_host/diagnose/fit/axis_fit.hpp"
+
+namespace morepro::host {
+
+/// What comes and goes by itself, and lasts for longer than random forces do: a load, a sensor, a flux. An
+/// observer follows it as if it were such forces, so that no balance shows it.
+struct Wandering {
+  double deviance = 0.0;      ///< that the innovations before predict; 0: random forces do as much
+  double torque_share = 0.0;  ///< of it, spindle: the rest is voltage
+};
+
+Wandering wandering_of(const AxisFit& fit);
+
+}  // namespace morepro::host

@@ -1,0 +1,63 @@
+// Loads that come and go by themselves: an observer takes them for random forces, and nobody sees a gap.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "tests/unit/driven_spindle.hpp"
+
+namespace morepro::diagnose_test {
+namespace {
+
+constexpr double kRateHz = 2000.0;
+constexpr std::size_t kRows = 32000;
+constexpr double kLoadNm = 0.02;
+
+/// That works one way for 0.1 s on average, then the other way.
+std::vector<double> load_that_turns() {
+  std::mt19937 random(3);
+  std::exponential_distribution<double> rows(1.0 / (0.1 * kRateHz));
+  std::vector<double> load;
+  for (double now = kLoadNm; load.size() < kRows; now = -now)
+    load.insert(load.end(), static_cast<std::size_t>(rows(random)), now);
+  return load;
+}
+
+/// As large, of a memory of that long.
+std::vector<double> random_load(double memory_s) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0.0, 0.5 * kLoadNm);
+  const double kept = std::exp(-1.0 / (kRateHz * memory_s));
+  std::vector<double> load(kRows, normal(random));
+  for (std::size_t row = 1; row < kRows; ++row)
+    load[row] = kept * load[row - 1] + std::sqrt(1.0 - kept * kept) * normal(random);
+  return load;
+}
+
+DiagnosisResult diagnosed_with(const std::vector<double>& load_nm) {
+  DrivenSpindle spindle{.rate_hz = kRateHz, .rows = kRows};
+  spindle.load_at = [&load_nm](double time_s) {
+    return load_nm[static_cast<std::size_t>(std::lround(time_s * kRateHz))];
+  };
+  return diagnosed(record(spindle), datasheet(0.0));
+}
+
+TEST(WanderingLoad, IsUnexplained) {
+  const DiagnosisResult result = diagnosed_with(load_that_turns());
+  EXPECT_EQ(result.verdict, host::Verdict::kUnexplained) << said(result);
+  ASSERT_EQ(result.unexplained_follows.size(), 1U);
+  EXPECT_EQ(result.unexplained_follows.front().balance, gap::Balance::kSpindleTorque);
+  EXPECT_NE(result.unexplained_follows.front().signal.find("its own past"), std::string::npos)
+      << result.unexplained_follows.front().signal;
+}
+
+TEST(WanderingLoad, IsNotWhatLastsForMilliseconds) {
+  for (const double memory_s : {0.001, 0.008}) {
+    const DiagnosisResult result = diagnosed_with(random_load(memory_s));
+    EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << memory_s << " s: " << said(result);
+  }
+}
+
+}  // namespace
+}  // namespace morepro::diagnose_test
