@@ -19,6 +19,14 @@ struct SameSensors {
     measured = static_cast<std::uint8_t>(measured | 1U << sensor);
     if (is_same) same = static_cast<std::uint8_t>(same | 1U << sensor);
   }
+  /// One of two that show the same thing, a speed that is the difference of a position: they are one witness.
+  void join(std::size_t sensor, std::size_t other) {
+    if ((measured >> sensor & measured >> other & 1U) == 0) return;
+    const unsigned both = same >> sensor & same >> other & 1U;
+    const unsigned neither = ~(1U << sensor | 1U << other);
+    measured = static_cast<std::uint8_t>(measured & ~(1U << other));
+    same = static_cast<std::uint8_t>((same & neither) | both << sensor);
+  }
   /// Does the frame repeat the other one? One sensor alone may stand still.
   [[nodiscard]] bool are_all() const {
     const bool is_one = (measured & (measured - 1)) == 0;

@@ -34,10 +34,14 @@ class StepWatch {
   }
 
   /// Takes what another one has seen of the same sensor.
-  void merge(const StepWatch& other) { step_ = std::max(step_, other.step_); }
+  void merge(const StepWatch& other) {
+    step_ = std::max(step_, other.step_);
+    is_known_ |= other.is_known_;
+  }
 
   /// Of the last changes; 0: none, or not known yet.
   [[nodiscard]] Real step() const { return step_; }
+  [[nodiscard]] bool is_fine() const { return is_known_ && step_ == Real(0); }
 
  private:
   static constexpr std::uint16_t kChanges = 256;
@@ -56,6 +60,7 @@ class StepWatch {
 
   void conclude() {
     step_ = 20U * fitting_ >= 19U * kChanges ? least_ : Real(0);
+    is_known_ = true;
     begin(Real(0));
   }
 
@@ -63,6 +68,7 @@ class StepWatch {
   Real step_ = 0;
   std::uint16_t seen_ = 0;
   std::uint16_t fitting_ = 0;
+  bool is_known_ = false;
 };
 
 /// Faults of the acquisition, which stand in the samples themselves: steps that are coarser than the
@@ -101,6 +107,7 @@ class SampleWatch {
       sensors.add(k, frame.*kValue[k] == before.*kValue[k]);
       sensors.is_as_before_last &= frame.*kValue[k] == earlier.*kValue[k];
     }
+    if (is_one_feed_sensor()) sensors.join(kFeedSpeed, kFeedPosition);
     repeated_.see(sensors);
   }
 
@@ -131,6 +138,8 @@ class SampleWatch {
   static constexpr float kCertain = 1.0e4F;  // what stands in the samples is not a matter of chance
 
   static constexpr std::size_t kSensors = SameSensors::kMost;
+  static constexpr std::size_t kFeedSpeed = 2;
+  static constexpr std::size_t kFeedPosition = 3;
   static constexpr std::array<Real GapFrame<Real>::*, kSensors> kValue{
       &GapFrame<Real>::speed_rad_s, &GapFrame<Real>::current_a, &GapFrame<Real>::feed_speed_m_s,
       &GapFrame<Real>::feed_position_m};
@@ -149,6 +158,11 @@ class SampleWatch {
     if (frames_ < kFewestFrames || !(lost_limit_ > Real(0))) return false;
     const Real missing = static_cast<Real>(lost_) / static_cast<Real>(frames_);
     return missing + repeated_.lost_share() > lost_limit_;
+  }
+
+  /// A speed in steps may be the difference of a position in steps.
+  [[nodiscard]] bool is_one_feed_sensor() const {
+    return !steps_[kFeedSpeed].is_fine() && !steps_[kFeedPosition].is_fine();
   }
 
   std::array<StepWatch<Real>, kSensors> steps_{};

@@ -99,7 +99,7 @@ class Diagnosis {
   [[nodiscard]] bool names_effects() const { return result_.verdict == Verdict::kEffect; }
   /// Structure that means over 5 ms need not show.
   [[nodiscard]] bool has_hidden_structure() const {
-    return !lost_.empty() || any_runs_away() || std::ranges::any_of(outcomes_, rings);
+    return !lost_.empty() || any_runs_away() || std::ranges::any_of(outcomes_, passed_for_noise);
   }
   /// Is it another machine from some time on? What shakes one does not hide that.
   [[nodiscard]] bool has_changed() const { return std::ranges::any_of(outcomes_, host::has_changed); }

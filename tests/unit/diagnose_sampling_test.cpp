@@ -294,26 +294,28 @@ TEST(SamplingChecks, TakeNoEdgeOfARestForLostRows) {
   EXPECT_FALSE(find_dropout(signals).has_value());
 }
 
-// What is the same twice in a position is no speed, and then none again.
+// What is the same twice in a position is no speed, and then none again, also where it steps every third row.
 TEST(SamplingChecks, TakeNoRowForLostThatAnEncoderMakesEqual) {
-  RecordingSignals signals;
-  signals.rate_hz = 1000.0;
-  signals.rows = 20000;
-  auto& position = signals.value[index_of(Channel::kFeedPosition)];
-  auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
-  signals.recorded = bit_of(Channel::kFeedPosition) | bit_of(Channel::kFeedSpeed);
-  std::mt19937 random(3);
-  std::normal_distribution<double> noise(0.0, 1.0e-6);
-  for (std::size_t row = 0; row < signals.rows; ++row) {
-    const double at_m = 1.0e-4 * std::sin(1.0e-3 * static_cast<double>(row)) + noise(random);
-    position.push_back(static_cast<float>(1.0e-6 * std::round(1.0e6 * at_m)));
-    speed.push_back(row == 0 ? 0.0F : 1000.0F * (position[row] - position[row - 1]));
+  for (const double rows_per_step : {2.5, 3.0, 10.0}) {
+    RecordingSignals signals;
+    signals.rate_hz = 1000.0;
+    signals.rows = 20000;
+    auto& position = signals.value[index_of(Channel::kFeedPosition)];
+    auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
+    signals.recorded = bit_of(Channel::kFeedPosition) | bit_of(Channel::kFeedSpeed);
+    std::mt19937 random(3);
+    std::normal_distribution<double> noise(0.0, rows_per_step < 10.0 ? 0.2 : 1.0);
+    for (std::size_t row = 0; row < signals.rows; ++row) {
+      const double steps = 1000.0 / rows_per_step * std::sin(1.0e-3 * static_cast<double>(row));
+      position.push_back(static_cast<float>(1.0e-6 * std::round(steps + noise(random))));
+      speed.push_back(row == 0 ? 0.0F : 1000.0F * (position[row] - position[row - 1]));
+    }
+    Sensors sensors;
+    sensors[Channel::kFeedPosition] = {.noise = 1.0e-6, .lsb = 1.0e-6};
+    sensors[Channel::kFeedSpeed] = {.noise = 2.0e-3, .lsb = 1.0e-3};
+    EXPECT_TRUE(find_quantization(signals, sensors).empty());
+    EXPECT_FALSE(find_dropout(signals).has_value()) << rows_per_step << " rows per step";
   }
-  Sensors sensors;
-  sensors[Channel::kFeedPosition] = {.noise = 1.0e-6, .lsb = 1.0e-6};
-  sensors[Channel::kFeedSpeed] = {.noise = 2.0e-3, .lsb = 1.0e-3};
-  EXPECT_TRUE(find_quantization(signals, sensors).empty());
-  EXPECT_FALSE(find_dropout(signals).has_value());
 }
 
 TEST(BeginningOf, HasItsRowsAndNoOthers) {

@@ -24,10 +24,10 @@ std::vector<double> load_that_turns() {
   return load;
 }
 
-/// As large, of a memory of that long.
+/// As large on average, with a memory.
 std::vector<double> random_load(double memory_s) {
   std::mt19937 random(5);
-  std::normal_distribution<double> normal(0.0, 0.5 * kLoadNm);
+  std::normal_distribution<double> normal(0.0, kLoadNm);
   const double kept = std::exp(-1.0 / (kRateHz * memory_s));
   std::vector<double> load(kRows, normal(random));
   for (std::size_t row = 1; row < kRows; ++row)
@@ -53,7 +53,7 @@ TEST(WanderingLoad, IsUnexplained) {
 }
 
 TEST(WanderingLoad, IsNotWhatLastsForMilliseconds) {
-  for (const double memory_s : {0.001, 0.008}) {
+  for (const double memory_s : {0.001, 0.008, 0.02}) {
     const DiagnosisResult result = diagnosed_with(random_load(memory_s));
     EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << memory_s << " s: " << said(result);
   }

@@ -135,14 +135,26 @@ TEST(RepeatedFrames, MergeAndFade) {
   EXPECT_DOUBLE_EQ(both.lost_share(), before);
 }
 
-TEST(SameSensors, OneAloneMayStandStill) {
+TEST(SameSensors, ThatAreJoinedAreOneWitness) {
   SameSensors sensors;
   sensors.add(2, true);
-  EXPECT_FALSE(sensors.are_all());
+  sensors.add(3, true);
+  EXPECT_TRUE(sensors.are_all());
+  sensors.join(2, 3);
+  EXPECT_FALSE(sensors.are_all()) << "one alone may stand still";
   sensors.add(0, true);
   EXPECT_TRUE(sensors.are_all());
-  sensors.add(1, false);
-  EXPECT_FALSE(sensors.are_all());
+  SameSensors other;
+  other.add(0, true);
+  other.add(2, true);
+  other.add(3, false);
+  other.join(2, 3);
+  EXPECT_EQ(other.measured, 0b101);
+  EXPECT_EQ(other.same, 0b001);
+  SameSensors alone;
+  alone.add(3, true);
+  alone.join(2, 3);
+  EXPECT_EQ(alone.measured, 0b1000) << "there is nothing to join it with";
 }
 
 }  // namespace

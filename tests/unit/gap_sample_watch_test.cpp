@@ -232,16 +232,20 @@ TEST(SampleWatch, SeesNoneAtTheEdgesOfARestOfCoarseSensors) {
   EXPECT_EQ(verdict_after(shown), GapVerdict::kNotEnoughData);
 }
 
-// What is the same twice in a position is no speed, and then none again.
+// What is the same twice in a position is no speed, and then none again. Where it steps every third frame
+// that is one frame in three, and none of the two is ever the same alone.
 TEST(SampleWatch, SeesNoRepeatedFramesInAPositionAndItsDifference) {
-  const auto shown = [](int i, const Frame& before, auto noise) {
-    Frame frame;
-    frame.has_feed_speed = frame.has_feed_position = true;
-    frame.feed_position_m = static_cast<float>(std::round(100.0 * std::sin(0.001 * i) + noise()));
-    frame.feed_speed_m_s = frame.feed_position_m - before.feed_position_m;
-    return frame;
-  };
-  EXPECT_EQ(verdict_after(shown), GapVerdict::kNotEnoughData);
+  for (const double frames_per_step : {0.01, 2.5, 3.0, 3.5, 20.0}) {
+    const auto shown = [frames_per_step](int i, const Frame& before, auto noise) {
+      Frame frame;
+      frame.has_feed_speed = frame.has_feed_position = true;
+      const double way = 2000.0 * std::sin(0.0005 * i / frames_per_step) + 0.2 * noise();
+      frame.feed_position_m = static_cast<float>(std::round(way));
+      frame.feed_speed_m_s = frame.feed_position_m - before.feed_position_m;
+      return frame;
+    };
+    EXPECT_EQ(verdict_after(shown), GapVerdict::kNotEnoughData) << frames_per_step << " frames per step";
+  }
 }
 
 /// Sensors that rest, or have coarse steps, are the same from frame to frame without anything lost.

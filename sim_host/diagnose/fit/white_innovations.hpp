@@ -15,9 +15,8 @@ std::vector<float> white_innovations(const GapStatistics& statistics, std::size_
 /// this, and in closed loop any function of the machine's motion may take some of it.
 double predictable_deviance(const GapStatistics& statistics);
 
-/// The same of means over `rows` innovations each, from three of those before, `first` means back and on: of
-/// noise of short memory the last one knows next to nothing, and those before it nothing; of what wanders all
-/// of them do.
-double slowly_predictable_deviance(const GapStatistics& statistics, std::size_t rows, std::size_t first = 1);
+/// The same of means over `rows` innovations each, from three of those before: 1 is the last one, which still
+/// knows a little of noise with a short memory; those before that one know of what wanders only.
+double slowly_predictable_deviance(const GapStatistics& statistics, std::size_t rows, std::size_t first);
 
 }  // namespace morepro::host

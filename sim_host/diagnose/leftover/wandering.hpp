@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+
 #include "sim_host/diagnose/fit/axis_fit.hpp"
 
 namespace morepro::host {
@@ -11,5 +13,11 @@ struct Wandering {
 };
 
 Wandering wandering_of(const AxisFit& fit);
+
+/// Means of innovations over that long hardly know of each other where random forces are all there is.
+inline constexpr double kLongS = 0.04;
+
+/// Rows of such a mean, 1 at least.
+std::size_t rows_of_mean(double seconds, const AxisFit& fit);
 
 }  // namespace morepro::host

@@ -173,7 +173,7 @@ bool sets_in_late(const AxisOutcome& outcome) {
 void tell_wandering_from_noise(double dropped, AxisOutcome& outcome) {
   const AxisFit& fit = outcome.diagnosis.fit;
   if (!(dropped > 0.0) && outcome.leftover.functions.empty()) return;
-  if (wanders(fit))
+  if (remembers_for_long(fit))
     outcome.keep_without_name(dropped);
   else if (is_lasting_noise(fit, outcome.leftover))
     outcome.leftover = {};
@@ -231,9 +231,8 @@ void keep_changed_values(AxisOutcome& outcome) {
 void keep_wandering(AxisOutcome& outcome) {
   const bool is_gap = !outcome.diagnosis.found.empty() || outcome.unnamed_deviance() > 0.0;
   if (is_gap || outcome.diagnosis.fit.signals().is_thinned) return;
-  const Wandering wandering = wandering_of(outcome.diagnosis.fit);
-  if (wandering.deviance > 0.0)
-    outcome.leftover = {.gain = wandering.deviance, .torque_share = wandering.torque_share, .wanders = true};
+  const auto [deviance, torque_share] = wandering_of(outcome.diagnosis.fit);
+  if (deviance > 0.0) outcome.leftover = {.gain = deviance, .torque_share = torque_share, .wanders = true};
 }
 
 /// Lags that the input's news explain as well, unless structure is left without them: noise has none.
@@ -329,7 +328,8 @@ std::optional<AxisOutcome> outcome_beginning_at(const AxisFit& datasheet, const 
 
 void AxisOutcome::keep_without_name(double deviance, double torque_share) {
   const double of_noise = kMuch * static_cast<double>(diagnosis.fit.signals().rows);
-  if (!(deviance > of_noise && deviance > leftover.gain)) return;
+  const double counts = unnamed_deviance() > 0.0 ? least_unnamed() : 0.0;  // what is there does
+  if (!(deviance > std::max({of_noise, leftover.gain, counts}))) return;
   if (!(leftover.gain > 0.0)) leftover.torque_share = torque_share;
   leftover.gain = deviance;
   leftover.ringing_hz = 0.0;

@@ -13,6 +13,7 @@
 #include "sim_host/diagnose/balances/where.hpp"
 #include "sim_host/diagnose/fit/input_news.hpp"
 #include "sim_host/diagnose/fit/white_innovations.hpp"
+#include "sim_host/diagnose/leftover/wandering.hpp"
 #include "sim_host/diagnose/search/effect_family.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -84,7 +85,7 @@ bool has_size(const Finding& finding, const AxisFit& fit) {
 /// Evidence that lasting noise makes of no name. What wanders can be worth anything to names that are not
 /// there.
 double beyond_noise_of(const AxisFit& fit) {
-  return wanders(fit) ? 1.0e300 : kBeyondNoise * predictable_deviance(fit.innovations());
+  return remembers_for_long(fit) ? 1.0e300 : kBeyondNoise * predictable_deviance(fit.innovations());
 }
 
 /// Worth little, but hardly less beside noise that lasts.
@@ -175,11 +176,10 @@ bool drop_what_chance_explains(AxisDiagnosis& diagnosis, double threshold) {
 
 // Of random forces, means over 40 ms know up to 210 of those before them, of a force that changes every half
 // a second 500, of a sensor that wanders within seconds 1300.
-bool wanders(const AxisFit& fit) {
-  constexpr double kLongS = 0.04;
+bool remembers_for_long(const AxisFit& fit) {
   constexpr double kMuchOfMeans = 300.0;
-  const auto rows = static_cast<std::size_t>(std::max(kLongS * fit.signals().rate_hz, 1.0));
-  return slowly_predictable_deviance(fit.innovations(), rows) > kMuchOfMeans;
+  constexpr std::size_t kLast = 1;
+  return slowly_predictable_deviance(fit.innovations(), rows_of_mean(kLongS, fit), kLast) > kMuchOfMeans;
 }
 
 // One after the other: a right name keeps little beside a wrong one.

@@ -39,7 +39,7 @@ bool drop_what_input_news_explain(AxisDiagnosis& diagnosis);
 bool drop_what_no_balance_shows(AxisDiagnosis& diagnosis);
 
 /// Does what a model leaves remember itself for longer than random forces do?
-bool wanders(const AxisFit& fit);
+bool remembers_for_long(const AxisFit& fit);
 
 /// Are the functions without a name, as names may be, worth hardly anything any more where the innovations
 /// before may predict the next one? Lines are not: noise has none.

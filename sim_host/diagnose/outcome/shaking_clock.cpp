@@ -5,7 +5,9 @@
 namespace morepro::host {
 namespace {
 
-bool is_told_beside_a_clock(const AxisOutcome& outcome) { return has_changed(outcome) || rings(outcome); }
+bool is_told_beside_a_clock(const AxisOutcome& outcome) {
+  return has_changed(outcome) || passed_for_noise(outcome);
+}
 
 }  // namespace
 

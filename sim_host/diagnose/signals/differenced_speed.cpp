@@ -89,6 +89,8 @@ bool is_difference(const std::vector<float>& column, const SensorNoise& sensor) 
 
 }  // namespace
 
+bool is_speed_of_position(const RecordingSignals& signals) { return least_own_of_speed(signals).share < 0.5; }
+
 bool leave_out_derived_speed(RecordingSignals& signals) {
   constexpr double kNothing = 0.01;
   const OwnOfSpeed own = least_own_of_speed(signals);

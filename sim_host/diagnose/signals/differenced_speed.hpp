@@ -6,6 +6,9 @@
 
 namespace morepro::host {
 
+/// Does the speed of the feed follow from its position, in what is fast, for the most part?
+bool is_speed_of_position(const RecordingSignals& signals);
+
 /// Takes the speed of the feed out where it is the difference of the recorded position, of two or of three
 /// neighbouring samples, as exactly as it was written: it says nothing more, and repeats the position's
 /// noise. Was it there?

@@ -8,12 +8,15 @@
 
 #include "lib/gap/repeated_frames.hpp"
 #include "lib/monitor/monitor_configuration.hpp"
+#include "sim_host/diagnose/signals/differenced_speed.hpp"
 
 namespace morepro::host {
 namespace {
 
 constexpr std::array kNoisyChannels{Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed,
                                     Channel::kFeedPosition};
+constexpr std::size_t kFeedSpeed = 2;  // of these
+constexpr std::size_t kFeedPosition = 3;
 constexpr std::size_t kFewestStepValues = 500;
 constexpr std::size_t kMostStepValues = 20000;
 constexpr double kStepError = 1.0e-3;  // relative: samples are recorded with seven digits
@@ -45,7 +48,8 @@ LostRows dropped(const std::vector<float>& column) {
 /// Rows that repeat the one before, and how many of them may be lost.
 class RepeatedRows {
  public:
-  explicit RepeatedRows(const RecordingSignals& signals) : signals_(signals) {
+  explicit RepeatedRows(const RecordingSignals& signals)
+      : signals_(signals), is_one_feed_sensor_(is_speed_of_position(signals)) {
     for (std::size_t row = 1; row < signals.rows; ++row)
       if (frames_.see(compare(row))) rows_.push_back(row - gap::kFramesBeside);
   }
@@ -62,10 +66,12 @@ class RepeatedRows {
       same.add(k, column[row] == column[row - 1]);
       same.is_as_before_last &= row > 1 && column[row] == column[row - 2];
     }
+    if (is_one_feed_sensor_) same.join(kFeedSpeed, kFeedPosition);
     return same;
   }
 
   const RecordingSignals& signals_;
+  bool is_one_feed_sensor_;
   gap::RepeatedFrames<double> frames_;
   std::vector<std::size_t> rows_;
 };
