@@ -53,7 +53,7 @@ TEST(WanderingLoad, IsUnexplained) {
 }
 
 TEST(WanderingLoad, IsNotWhatLastsForMilliseconds) {
-  for (const double memory_s : {0.001, 0.008, 0.02}) {
+  for (const double memory_s : {0.001, 0.008, 0.04}) {
     const DiagnosisResult result = diagnosed_with(random_load(memory_s));
     EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << memory_s << " s: " << said(result);
   }
