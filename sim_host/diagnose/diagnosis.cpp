@@ -346,11 +346,10 @@ class Diagnosis {
   }
 
   void watch_like_a_board() {
-    const Sensors expected = with_known_steps(machine_.configuration.sensors, machine_.effects);
     gap::GapSettings settings =
         board_settings(outcomes_, datasheet_.noise, result_.verdict == Verdict::kUnexplained,
                        options_.excluded, signals_.rate_hz);
-    settings.samples = samples_for_board(machine_, expected, options_.excluded);
+    settings.samples = samples_for_board(machine_, signals_, faults_, options_.excluded);
     result_.board =
         watch_on_board(signals_, machine_, fitted_values(machine_.configuration.machine, outcomes_),
                        sight_of(outcomes_, result_, datasheet_.noise), settings);

@@ -44,6 +44,18 @@ TEST(BoardWatch, TakesAJitterThatTheHostDoesNotSeeForNoise) {
   EXPECT_GT(settings.samples.clock_jitter_s, 2.0e-5F);
 }
 
+// Where a file says nothing of a sensor, steps that do not hide its noise are its own: the host told no
+// fault, and the board a sensor_quantization.
+TEST(BoardWatch, TakesStepsOfWhichNoFaultIsToldForTheSensorsOwn) {
+  SimulatedRun run;
+  run.configuration.sensors[Channel::kArmatureCurrent].lsb = 0.07;
+  MachineDescription machine = datasheet(0.0);
+  machine.assumed_noise = bit_of(Channel::kArmatureCurrent);
+  const DiagnosisResult result = diagnosed(record(run), machine);
+  EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
+  EXPECT_EQ(result.board.verdict, gap::GapVerdict::kNoGap) << gap::info_of(result.board.effect).name;
+}
+
 /// Values that an effect has bent too far do not show it any more.
 TEST(BoardWatch, LooksBesideTheEffectWhereItHasBentTheValues) {
   const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 3.0)}});

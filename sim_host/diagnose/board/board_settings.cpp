@@ -120,17 +120,18 @@ gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap
   return settings;
 }
 
-gap::SampleLimits samples_for_board(MachineDescription machine, const Sensors& sensors,
-                                    std::span<const Effect> excluded) {
+gap::SampleLimits samples_for_board(MachineDescription machine, const RecordingSignals& signals,
+                                    std::span<const SamplingFault> faults, std::span<const Effect> excluded) {
   const auto is_excluded = [excluded](Effect effect) {
     return std::find(excluded.begin(), excluded.end(), effect) != excluded.end();
   };
   const auto is_coarse = [](const gap::AppliedEffect& one) {
     return one.form.effect == Effect::kSensorQuantization;
   };
+  const Sensors expected = with_known_steps(machine.configuration.sensors, machine.effects);
   std::vector<std::string> notices;
   know_effects(machine, notices);
-  machine.configuration.sensors = sensors;
+  machine.configuration.sensors = with_own_steps(expected, signals, faults);
   gap::SampleLimits limits = sample_limits_of(machine.configuration);
   const auto& known = machine.effects;
   if (is_excluded(Effect::kSensorQuantization) || std::any_of(known.begin(), known.end(), is_coarse))

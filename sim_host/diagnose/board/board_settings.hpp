@@ -13,9 +13,10 @@ namespace morepro::host {
 gap::GapSettings board_settings(std::span<const AxisOutcome> outcomes, const gap::GapNoise<double>& sensors,
                                 bool is_unexplained, std::span<const gap::Effect> excluded, double rate_hz);
 
-/// What of the samples of a machine with these sensors is no fault to a board; steps and losses that are
-/// `excluded` are not looked for.
-gap::SampleLimits samples_for_board(MachineDescription machine, const Sensors& sensors,
+/// What of a machine's samples is no fault to a board: what its file states, and steps of the recording that
+/// are none of the `faults`; steps and losses that are `excluded` are not looked for.
+gap::SampleLimits samples_for_board(MachineDescription machine, const RecordingSignals& signals,
+                                    std::span<const SamplingFault> faults,
                                     std::span<const gap::Effect> excluded);
 
 /// From when on, and as what, a board is shown a recording of which this was found. `expected`: noise of a

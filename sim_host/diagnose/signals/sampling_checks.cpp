@@ -227,6 +227,18 @@ Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> kn
   return sensors;
 }
 
+Sensors with_own_steps(Sensors sensors, const RecordingSignals& signals,
+                       std::span<const SamplingFault> faults) {
+  for (const Channel channel : kNoisyChannels) {
+    const bool is_faulty = std::ranges::any_of(faults, [channel](const SamplingFault& fault) {
+      return fault.effect == gap::Effect::kSensorQuantization && fault.channel == channel;
+    });
+    double& step = sensors[channel].lsb;
+    if (!is_faulty) step = std::max(step, signals.step[index_of(channel)]);
+  }
+  return sensors;
+}
+
 void leave_out_known(std::span<const gap::AppliedEffect> known, std::vector<SamplingFault>& faults) {
   constexpr double kMoreOfIt = 1.5;
   std::erase_if(faults, [known](const SamplingFault& fault) {
