@@ -218,7 +218,8 @@ class Diagnosis {
   void reconsider() {
     const bool has_play = std::ranges::any_of(result_.which, keeps_its_side, &EffectResult::effect);
     const bool has_say = result_.verdict != Verdict::kInsufficientExcitation && faults_.empty() && !has_play;
-    if (has_say && result_.which.empty() && !is_unexplained()) mark_lost();
+    const bool is_open = !is_unexplained() || std::ranges::any_of(outcomes_, wanders);
+    if (has_say && result_.which.empty() && is_open) mark_lost();
     if (!lost_.empty() || any_runs_away()) return;
     const bool is_kept = has_say && keeps_a_gap(result_.shrinkage, result_.where);
     const bool is_closed = is_unexplained() && !is_kept && is_nearly_closed(result_.shrinkage);

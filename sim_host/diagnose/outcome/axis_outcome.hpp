@@ -57,10 +57,11 @@ struct AxisOutcome {
 /// Does what has no name ring behind the motion?
 inline bool rings(const AxisOutcome& outcome) { return outcome.leftover.ringing_hz > 0.0; }
 
+/// Does it come and go by itself?
+inline bool wanders(const AxisOutcome& outcome) { return outcome.leftover.wanders; }
+
 /// Did it pass for random forces, which no balance shows?
-inline bool passed_for_noise(const AxisOutcome& outcome) {
-  return rings(outcome) || outcome.leftover.wanders;
-}
+inline bool passed_for_noise(const AxisOutcome& outcome) { return rings(outcome) || wanders(outcome); }
 
 /// Is it values of the machine that are others from a time on?
 inline bool has_changed(const AxisOutcome& outcome) { return !outcome.leftover.changed_values.empty(); }
