@@ -56,6 +56,25 @@ TEST(BoardWatch, TakesStepsOfWhichNoFaultIsToldForTheSensorsOwn) {
   EXPECT_EQ(result.board.verdict, gap::GapVerdict::kNoGap) << gap::info_of(result.board.effect).name;
 }
 
+// What --apply writes states the noise that was assumed. Without the steps the next recording of the same machine
+// had a sensor_quantization.
+TEST(BoardWatch, HasTheSensorsOwnStepsInTheFileThatIsWritten) {
+  SimulatedRun run;
+  run.configuration.sensors[Channel::kArmatureCurrent].lsb = 0.07;
+  MachineDescription machine = datasheet(0.0);
+  machine.assumed_noise = bit_of(Channel::kArmatureCurrent);
+  MachineDescription written;
+  const RecordingSignals first = record(run);
+  host::diagnose(first, machine, {}, written);
+  EXPECT_NEAR(written.configuration.sensors[Channel::kArmatureCurrent].lsb, 0.07, 1.0e-6);
+  EXPECT_EQ(written.configuration.sensors[Channel::kSpindleSpeed].lsb,
+            machine.configuration.sensors[Channel::kSpindleSpeed].lsb);
+  written.assumed_noise = 0;
+  run.seed += 1;
+  const DiagnosisResult result = diagnosed(record(run), written);
+  EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
+}
+
 /// Values that an effect has bent too far do not show it any more.
 TEST(BoardWatch, LooksBesideTheEffectWhereItHasBentTheValues) {
   const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 3.0)}});

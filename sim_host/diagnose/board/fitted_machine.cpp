@@ -50,6 +50,10 @@ MachineDescription machine_with_effects(MachineDescription machine, std::span<co
                                         std::span<const SamplingFault> faults,
                                         const ScalesOfEffects& scales) {
   for (const SamplingFault& fault : faults) take_fault(fault, scales.stated, machine);
+  if (!outcomes.empty())
+    machine.configuration.sensors =
+        with_own_steps(machine.configuration.sensors, outcomes.front().diagnosis.fit.signals(), faults,
+                       machine.assumed_noise);
   for (const AxisOutcome& outcome : outcomes) {
     const AxisFit& fit = outcome.diagnosis.fit;
     take_values(fit, machine.configuration.machine);

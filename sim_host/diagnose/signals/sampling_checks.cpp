@@ -228,8 +228,9 @@ Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> kn
 }
 
 Sensors with_own_steps(Sensors sensors, const RecordingSignals& signals,
-                       std::span<const SamplingFault> faults) {
+                       std::span<const SamplingFault> faults, std::uint16_t channels) {
   for (const Channel channel : kNoisyChannels) {
+    if ((channels & bit_of(channel)) == 0) continue;
     const bool is_faulty = std::ranges::any_of(faults, [channel](const SamplingFault& fault) {
       return fault.effect == gap::Effect::kSensorQuantization && fault.channel == channel;
     });

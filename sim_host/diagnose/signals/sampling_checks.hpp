@@ -33,9 +33,10 @@ std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors&
 /// The sensors with the steps that the machine is known to have beside them.
 Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> known);
 
-/// The sensors with the steps that a recording has of which no fault is told.
+/// The sensors, those of `channels` (bit_of(channel)) with the steps that a recording has of which no fault
+/// is told.
 Sensors with_own_steps(Sensors sensors, const RecordingSignals& signals,
-                       std::span<const SamplingFault> faults);
+                       std::span<const SamplingFault> faults, std::uint16_t channels = 0xFFFF);
 
 /// Takes out those that the machine is known to have about that much of.
 void leave_out_known(std::span<const gap::AppliedEffect> known, std::vector<SamplingFault>& faults);
