@@ -58,5 +58,18 @@ TEST(CoarseSteps, AreNoEffectOfAMachineThatTurnsOnAndOn) {
   }
 }
 
+// A machine file that states its steps makes them no fault, and no less biased: 0.54 rad/s of 2 were a
+// spindle_speed_bias at 98 %.
+TEST(CoarseSteps, AreNoEffectWhereTheFileStatesThem) {
+  constexpr SensorNoise kCoarse{0.2, 2.0};
+  SimulatedRun run{.duration_s = 16.0, .rate_hz = 2000.0, .profile = host::ProfileKind::kCutting};
+  run.configuration.sensors[Channel::kSpindleSpeed] = kCoarse;
+  run.configuration.sensors[Channel::kArmatureCurrent].noise = 0.03;
+  MachineDescription machine = datasheet(0.0);
+  machine.configuration.sensors = run.configuration.sensors;
+  const DiagnosisResult result = diagnosed(record(run), machine);
+  EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
+}
+
 }  // namespace
 }  // namespace morepro::diagnose_test

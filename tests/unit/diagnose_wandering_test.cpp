@@ -59,5 +59,26 @@ TEST(WanderingLoad, IsNotWhatLastsForMilliseconds) {
   }
 }
 
+// Of a spindle that turns on and on rounding takes away the same all along.
+TEST(WanderingLoad, IsNotWhatRoundingTakesAway) {
+  constexpr double kStepRadS = 8.0;
+  RecordingSignals signals = record(DrivenSpindle{.rate_hz = kRateHz, .rows = kRows});
+  for (float& speed : signals.value[index_of(Channel::kSpindleSpeed)])
+    speed = static_cast<float>(kStepRadS * std::round(static_cast<double>(speed) / kStepRadS));
+  MachineDescription machine = datasheet(0.0);
+  machine.configuration.sensors[Channel::kSpindleSpeed].lsb = kStepRadS;
+  const DiagnosisResult result = diagnosed(signals, machine);
+  EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
+}
+
+// An observer that takes noise for random forces leaves little that is slow, and next to nothing was found in
+// it.
+TEST(WanderingLoad, IsNotWhatNoiseLeavesThatPassesForForces) {
+  MachineDescription machine = datasheet(0.0);
+  machine.configuration.sensors[Channel::kArmatureCurrent].noise *= 0.7;
+  const DiagnosisResult result = diagnosed(record(DrivenSpindle{.rate_hz = kRateHz, .rows = kRows}), machine);
+  EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
+}
+
 }  // namespace
 }  // namespace morepro::diagnose_test

@@ -73,23 +73,6 @@ Sensor sensor_of(const AxisFit& fit, std::size_t sensor) {
                      : Sensor{Channel::kFeedSpeed, noise.feed_speed_variance};
 }
 
-/// Are coarse steps most of a sensor's noise, and is there no more than that? They follow the motion and have
-/// lines of their own.
-bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::size_t sensor) {
-  // Of the stated variance; a sensor whose noise is half a step has a quarter in its steps.
-  constexpr double kMostly = 0.4;
-  // A speed from two coarse positions has the variance of both.
-  constexpr double kOfDifference = 2.0;
-  const auto& [channel, stated] = sensor_of(fit, sensor);
-  const double step = fit.signals().step[index_of(channel)];
-  if (!(step * step / 12.0 > kMostly * stated)) return false;
-  const auto& normalised = statistics.normalised[sensor];
-  const auto count = static_cast<double>(normalised.size());
-  double squares = 0.0;
-  for (const float value : normalised) squares += static_cast<double>(value) * static_cast<double>(value);
-  return squares / count * std::exp(statistics.log_variance[sensor] / count) < kOfDifference * stated;
-}
-
 void add_lines(const SpectralLines& found, const LeftLine& kind, double unit, std::vector<LeftLine>& lines) {
   for (const SpectralLine& line : found.lines) {
     lines.push_back(kind);
@@ -128,6 +111,21 @@ double add_lines_of(const RecordingSignals& signals, const std::vector<float>& w
 }
 
 }  // namespace
+
+bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::size_t sensor) {
+  // Of the stated variance; a sensor whose noise is half a step has a quarter in its steps.
+  constexpr double kMostly = 0.4;
+  // A speed from two coarse positions has the variance of both.
+  constexpr double kOfDifference = 2.0;
+  const auto& [channel, stated] = sensor_of(fit, sensor);
+  const double step = fit.signals().step[index_of(channel)];
+  if (!(step * step / 12.0 > kMostly * stated)) return false;
+  const auto& normalised = statistics.normalised[sensor];
+  const auto count = static_cast<double>(normalised.size());
+  double squares = 0.0;
+  for (const float value : normalised) squares += static_cast<double>(value) * static_cast<double>(value);
+  return squares / count * std::exp(statistics.log_variance[sensor] / count) < kOfDifference * stated;
+}
 
 LeftLines lines_left(const AxisFit& fit, const GapStatistics& statistics) {
   const Whitening whitening = whitening_of(statistics);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "sim_host/diagnose/fit/axis_fit.hpp"
@@ -16,6 +17,10 @@ struct LeftLine {
   /// In the other spectrum, too, where it is larger: at a constant speed, a frequency is an order.
   bool is_seen_twice = false;
 };
+
+/// Are coarse steps most of a sensor's noise, and is there no more than that in `statistics`, of a pass of
+/// `fit`? They follow the motion and have lines of their own, and last as long as it does not change.
+bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::size_t sensor);
 
 /// Lines in what a model leaves of an axis's sensors.
 struct LeftLines {

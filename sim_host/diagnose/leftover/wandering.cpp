@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim_host/diagnose/fit/white_innovations.hpp"
+#include "sim_host/diagnose/leftover/left_lines.hpp"
 
 namespace morepro::host {
 namespace {
@@ -27,6 +29,13 @@ double torque_share_of(const AxisFit& fit) {
   return torque / (torque + voltage);
 }
 
+/// Does an observer expect so many random forces that it takes its sensors' noise for them? What it leaves
+/// has to be summed up again, and with it what is slow and otherwise far below the noise.
+bool takes_noise_for_forces(const SensorWhitening& whitening) {
+  constexpr double kMost = 1.5;  // times what is slow; beside wandering loads 1.1
+  return 1.0 - std::accumulate(whitening.memory.begin(), whitening.memory.end(), 0.0) > kMost;
+}
+
 }  // namespace
 
 std::size_t rows_of_mean(double seconds, const AxisFit& fit) {
@@ -35,6 +44,9 @@ std::size_t rows_of_mean(double seconds, const AxisFit& fit) {
 
 Wandering wandering_of(const AxisFit& fit) {
   const GapStatistics& innovations = fit.innovations();
+  const Whitening whitening = whitening_of(innovations);
+  for (std::size_t sensor = 0; sensor < kSensorsPerAxis; ++sensor)
+    if (shows_its_steps(fit, innovations, sensor) || takes_noise_for_forces(whitening[sensor])) return {};
   const std::size_t rows = rows_of_mean(kLongS, fit);
   const double deviance = slowly_predictable_deviance(innovations, rows, kBeforeLast);
   const double means = innovations.total_rows() / static_cast<double>(rows);

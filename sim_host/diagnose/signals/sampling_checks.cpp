@@ -199,6 +199,8 @@ std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors&
     Steps steps{.size = step_of(column)};
     double& coarsest = signals.step[index_of(channel)];
     coarsest = std::max(steps.size, sensor.lsb);
+    double& rounding = signals.rounding_deviance[index_of(channel)];
+    if (coarsest > 0.0) rounding = rounding_deviance(column, coarsest, sensor.noise);
     if (!is_coarse(steps.size)) steps = late_steps_of(column);
     if (!is_coarse(steps.size)) continue;
     const double ratio = steps.size / sensor.unit();
@@ -213,7 +215,7 @@ std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors&
                         .onset_s = static_cast<double>(steps.first_row) / signals.rate_hz});
     sensor.lsb = steps.size;
     coarsest = std::max(coarsest, steps.size);
-    signals.rounding_deviance[index_of(channel)] = rounding_deviance(column, steps.size, sensor.noise);
+    rounding = rounding_deviance(column, steps.size, sensor.noise);
   }
   return faults;
 }
