@@ -13,6 +13,7 @@
 #include "sim_host/diagnose/fit/lasting_noise.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/diagnose/fit/size_columns.hpp"
+#include "sim_host/diagnose/fit/standstill.hpp"
 
 namespace morepro::host {
 namespace {
@@ -45,6 +46,7 @@ std::vector<Eigen::Index> all_columns(Eigen::Index count) {
 AxisFit::AxisFit(Axis axis, const RecordingSignals& signals, const GapModel& datasheet)
     : axis_(axis),
       signals_(&signals),
+      quarter_(telling_quarter_of(axis, signals)),
       stretches_(all_of(signals)),
       datasheet_(datasheet),
       model_(datasheet) {}

@@ -49,9 +49,7 @@ class AxisFit {
 
   /// From now on the fit sees a quarter of a long recording, or all of it again: how likely it is on the
   /// other is not known then.
-  void narrow_down() { look_at(needs_all_ ? all_of(*signals_) : quarter_of(*signals_)); }
-  /// From now on a quarter is not enough.
-  void need_all() { needs_all_ = true; }
+  void narrow_down() { look_at(quarter_); }
   void widen() { look_at(all_of(*signals_)); }
   [[nodiscard]] bool is_narrow() const { return stretches_.size() > 1; }
   /// The same for what comes after a time.
@@ -217,8 +215,8 @@ class AxisFit {
 
   Axis axis_;
   const RecordingSignals* signals_;
-  bool needs_all_ = false;
-  std::vector<Stretch> stretches_;  ///< of the recording that are looked at
+  std::vector<Stretch> quarter_;    ///< of the recording that are looked at first,
+  std::vector<Stretch> stretches_;  ///< and now
   GapModel datasheet_;
   GapModel model_;
   Whitening whitening_;

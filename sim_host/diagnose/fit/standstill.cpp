@@ -22,6 +22,29 @@ std::vector<double> calm_speed(const std::vector<float>& speed, double rate_hz) 
   return sums;
 }
 
+constexpr std::size_t kOften = 8;  // a quarter of the recording shows two
+
+/// Rows in which a motion the other way, or after a rest, begins.
+std::vector<std::size_t> moves_of(const RecordingSignals& signals) {
+  constexpr double kMoving = 0.2;   // of the fastest
+  constexpr double kResting = 0.1;  // of it: between them it may be either
+  const std::vector<double> speed = calm_speed(signals.value[index_of(Channel::kFeedSpeed)], signals.rate_hz);
+  if (speed.empty()) return {};
+  const std::size_t length = signals.rows / speed.size();
+  double fastest = 0.0;
+  for (const double value : speed) fastest = std::max(fastest, std::fabs(value));
+  std::vector<std::size_t> moves;
+  std::size_t rested = 0;
+  double way = 0.0;  // 0 at rest
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    if (std::fabs(speed[i]) < kResting * fastest) way = 0.0, rested = i;
+    if (!(std::fabs(speed[i]) > kMoving * fastest) || speed[i] * way > 0.0) continue;
+    moves.push_back((way == 0.0 ? rested : i) * length);
+    way = speed[i];
+  }
+  return moves;
+}
+
 /// Mean square of what was recorded, about its mean or about nothing.
 double mean_square(const std::vector<float>& values, bool is_about_mean) {
   double count = 0.0, mean = 0.0, squares = 0.0;  // the sum of squares about the mean, after Welford
@@ -38,21 +61,25 @@ double mean_square(const std::vector<float>& values, bool is_about_mean) {
 }  // namespace
 
 bool passes_standstill_seldom(const RecordingSignals& signals) {
-  constexpr int kOften = 8;         // a quarter shows two
-  constexpr double kMoving = 0.2;   // of the fastest
-  constexpr double kResting = 0.1;  // of it: between them it may be either
-  const std::vector<double> speed = calm_speed(signals.value[index_of(Channel::kFeedSpeed)], signals.rate_hz);
-  double fastest = 0.0;
-  for (const double value : speed) fastest = std::max(fastest, std::fabs(value));
-  int moves = 0;
-  double way = 0.0;  // 0 at rest
-  for (const double value : speed) {
-    if (std::fabs(value) < kResting * fastest) way = 0.0;
-    if (!(std::fabs(value) > kMoving * fastest) || value * way > 0.0) continue;
-    ++moves;
-    way = value;
-  }
+  const std::size_t moves = moves_of(signals).size();
   return moves > 1 && moves <= kOften;
+}
+
+std::vector<Stretch> telling_quarter_of(Axis axis, const RecordingSignals& signals) {
+  std::vector<Stretch> quarter = quarter_of(signals);
+  if (axis == Axis::kSpindle || quarter.size() == 1) return quarter;
+  const std::vector<std::size_t> moves = moves_of(signals);
+  if (moves.size() > kOften) return quarter;
+  const std::size_t room = signals.rows / quarter.size();
+  for (const std::size_t row : moves) {
+    const std::size_t index = std::min(row / room, quarter.size() - 1);
+    auto& [first, last] = quarter[index];
+    const std::size_t length = last - first;
+    const std::size_t least = index * room;
+    first = std::clamp(row - std::min(row, length / 2), least, least + room - length);
+    last = first + length;
+  }
+  return quarter;
 }
 
 bool stands_still(Axis axis, const RecordingSignals& signals, const gap::GapNoise<double>& noise) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "lib/gap/gap_frame.hpp"
 #include "sim_host/diagnose/fit/gap_model.hpp"
 #include "sim_host/diagnose/signals/recording_signals.hpp"
@@ -8,6 +10,10 @@ namespace morepro::host {
 /// Does the feed axis pass standstill, and so seldom that a quarter of the recording hardly shows what
 /// friction does there? One whose speed was not recorded does not.
 bool passes_standstill_seldom(const RecordingSignals& signals);
+
+/// A quarter of a long recording (`quarter_of`); of a feed axis that seldom passes standstill it has all of
+/// these, since friction shows nowhere else.
+std::vector<Stretch> telling_quarter_of(Axis axis, const RecordingSignals& signals);
 
 /// Does an axis stand still, as far as its sensors can tell? The spindle's speed, the feed's speed, or its
 /// position about its mean are within their noise; where both of the feed's are recorded, the position within

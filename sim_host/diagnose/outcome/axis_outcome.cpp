@@ -9,7 +9,6 @@
 #include "lib/gap/effect_catalogue.hpp"
 #include "sim_host/diagnose/fit/noise_fit.hpp"
 #include "sim_host/diagnose/fit/nominal_fit.hpp"
-#include "sim_host/diagnose/fit/standstill.hpp"
 #include "sim_host/diagnose/fit/surprises.hpp"
 #include "sim_host/diagnose/fit/white_innovations.hpp"
 #include "sim_host/diagnose/leftover/wandering.hpp"
@@ -298,32 +297,6 @@ void drop_what_needs_no_names(AxisOutcome& outcome) {
   outcome.leftover = std::move(nameless);
 }
 
-/// Has it found something in the feed, or is there no process noise that something may hide in? A lag of
-/// 0.4 ms took twenty-five times the least that is fitted. Where the machine file states a dry friction, more
-/// is always fitted, and this is not known.
-bool tells_all(const AxisDiagnosis& diagnosis) {
-  constexpr double kHardlyMore = 10.0;
-  gap::GapNoise<double> least = diagnosis.nominal.model().noise;
-  expect_process_noise(kHardlyMore * kLittleNoiseShare, least);
-  return !diagnosis.found.empty() || diagnosis.nominal.model().noise.feed_step <= least.feed_step;
-}
-
-std::optional<AxisOutcome> outcome_beginning_at(const AxisFit& datasheet, const DiagnosisOptions& options) {
-  const std::vector<AxisFit> starts = nominal_fits(datasheet);
-  if (starts.front().unlikeliness() == 0.0) return std::nullopt;
-  static_cast<void>(starts.front().innovations());  // which the outcome's fits share where nothing is found
-  AxisOutcome outcome = outcome_from(starts.front(), starts.front(), options);
-  const auto try_from = [&](const AxisFit& start) {
-    AxisOutcome other = outcome_from(start, starts.front(), options);
-    if (cost_of(other.diagnosis.fit) < cost_of(outcome.diagnosis.fit)) outcome = std::move(other);
-  };
-  if (starts.size() > 1 && is_doubtful(outcome)) try_from(starts.back());
-  if (is_doubtful(outcome) || sets_in_late(outcome))
-    if (const auto early = fit_of_beginning(outcome.diagnosis.fit)) try_from(*early);
-  drop_what_needs_no_names(outcome);
-  return outcome;
-}
-
 }  // namespace
 
 void AxisOutcome::keep_without_name(double deviance, double torque_share) {
@@ -376,18 +349,23 @@ double AxisOutcome::unnamed_deviance_in(gap::Balance balance) const {
   return share * unnamed_deviance();
 }
 
-// All of the recording shows friction that a quarter hardly does; process noise that is fitted to it may hold
-// something small, and many causes together a structure without a name.
+// Process noise that is fitted to all of a recording may hold something small, and many causes together a
+// structure without a name.
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
                                       const DiagnosisOptions& options) {
-  const AxisFit start(axis, signals, datasheet);
-  if (axis == Axis::kFeed && passes_standstill_seldom(signals)) {
-    AxisFit whole = start;
-    whole.need_all();
-    std::optional<AxisOutcome> outcome = outcome_beginning_at(whole, options);
-    if (outcome && !is_doubtful(*outcome) && tells_all(outcome->diagnosis)) return outcome;
-  }
-  return outcome_beginning_at(start, options);
+  const std::vector<AxisFit> starts = nominal_fits(AxisFit(axis, signals, datasheet));
+  if (starts.front().unlikeliness() == 0.0) return std::nullopt;
+  static_cast<void>(starts.front().innovations());  // which the outcome's fits share where nothing is found
+  AxisOutcome outcome = outcome_from(starts.front(), starts.front(), options);
+  const auto try_from = [&](const AxisFit& start) {
+    AxisOutcome other = outcome_from(start, starts.front(), options);
+    if (cost_of(other.diagnosis.fit) < cost_of(outcome.diagnosis.fit)) outcome = std::move(other);
+  };
+  if (starts.size() > 1 && is_doubtful(outcome)) try_from(starts.back());
+  if (is_doubtful(outcome) || sets_in_late(outcome))
+    if (const auto early = fit_of_beginning(outcome.diagnosis.fit)) try_from(*early);
+  drop_what_needs_no_names(outcome);
+  return outcome;
 }
 
 void conclude(std::span<AxisOutcome> outcomes) {
