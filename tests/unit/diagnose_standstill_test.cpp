@@ -67,6 +67,31 @@ TEST(Standstill, IsSeenThroughSamplesThatWereLost) {
   EXPECT_TRUE(passes_standstill_seldom(signals));
 }
 
+// Of an axis that turns round in the middle and once before, a quarter that lies anywhere may have missed
+// both.
+TEST(Standstill, IsInTheQuarterThatIsLookedAtFirst) {
+  RecordingSignals signals = shuttle(1, 0.0);
+  signals.rows *= 5;
+  signals.rate_hz *= 5.0;
+  auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
+  const std::vector<float> once = speed;
+  for (std::size_t row = speed.size(); row < signals.rows; ++row) speed.push_back(once.back());
+  for (std::size_t row = 0; row < 1700; ++row) speed[row] = 0.0F;
+  const auto is_seen = [](const std::vector<Stretch>& stretches, std::size_t row) {
+    return std::ranges::any_of(stretches, [row](const Stretch& s) { return s.first <= row && row < s.last; });
+  };
+  const std::vector<Stretch> telling = telling_quarter_of(Axis::kFeed, signals);
+  const std::vector<Stretch> any = quarter_of(signals);
+  ASSERT_EQ(telling.size(), any.size());
+  for (const std::size_t row : {1700U, 5000U}) EXPECT_TRUE(is_seen(telling, row)) << row;
+  EXPECT_FALSE(is_seen(any, 1700) && is_seen(any, 5000));
+  for (std::size_t i = 0; i < any.size(); ++i) {
+    EXPECT_EQ(telling[i].last - telling[i].first, any[i].last - any[i].first);
+    EXPECT_LE(telling[i].last, i + 1 < any.size() ? telling[i + 1].first : signals.rows);
+  }
+  EXPECT_EQ(telling_quarter_of(Axis::kSpindle, signals).front().first, any.front().first);
+}
+
 TEST(Standstill, IsAllThatSensorsShowWithinTheirNoise) {
   const gap::GapNoise<double> noise{
       .speed_variance = 0.01, .feed_speed_variance = 0.01, .feed_position_variance = 0.01};

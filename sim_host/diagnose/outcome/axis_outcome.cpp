@@ -139,10 +139,15 @@ double least_evidence(Axis axis, const RecordingSignals& signals) {
                       : rounding(Channel::kFeedSpeed) + rounding(Channel::kFeedPosition));
 }
 
-AxisOutcome outcome_from(const AxisFit& start, const AxisFit& nominal, const DiagnosisOptions& options) {
+AxisDiagnosis searched(const AxisFit& start, const AxisFit& nominal, double to_beat,
+                       const DiagnosisOptions& options) {
   const auto on_progress = [&](double share) { options.on_progress(kSearchShare * share); };
   const double least = least_evidence(start.axis(), start.signals());
-  AxisOutcome outcome{search_effects(start, nominal, options.excluded, least, on_progress)};
+  return search_effects(start, nominal, options.excluded, least, to_beat, on_progress);
+}
+
+AxisOutcome outcome_from(AxisDiagnosis diagnosis, const DiagnosisOptions& options) {
+  AxisOutcome outcome{std::move(diagnosis)};
   outcome.chance = bootstrapped(outcome.diagnosis, options);
   outcome.noise_evidence = noise_evidence(outcome.diagnosis.fit);
   drop_what_chance_explains(outcome.diagnosis, outcome.least_name());
@@ -356,10 +361,14 @@ std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals
   const std::vector<AxisFit> starts = nominal_fits(AxisFit(axis, signals, datasheet));
   if (starts.front().unlikeliness() == 0.0) return std::nullopt;
   static_cast<void>(starts.front().innovations());  // which the outcome's fits share where nothing is found
-  AxisOutcome outcome = outcome_from(starts.front(), starts.front(), options);
+  const AxisFit& nominal = starts.front();
+  AxisOutcome outcome = outcome_from(searched(nominal, nominal, AxisFit::kNone, options), options);
   const auto try_from = [&](const AxisFit& start) {
-    AxisOutcome other = outcome_from(start, starts.front(), options);
-    if (cost_of(other.diagnosis.fit) < cost_of(outcome.diagnosis.fit)) outcome = std::move(other);
+    const double to_beat = cost_of(outcome.diagnosis.fit);
+    AxisDiagnosis other = searched(start, nominal, to_beat, options);
+    if (!(cost_of(other.fit) < to_beat)) return;
+    AxisOutcome nearer = outcome_from(std::move(other), options);
+    if (cost_of(nearer.diagnosis.fit) < to_beat) outcome = std::move(nearer);
   };
   if (starts.size() > 1 && is_doubtful(outcome)) try_from(starts.back());
   if (is_doubtful(outcome) || sets_in_late(outcome))

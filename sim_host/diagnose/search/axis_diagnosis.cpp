@@ -44,10 +44,11 @@ Whitening without_memory(Whitening whitening) {
 
 class DiagnosisSearch {
  public:
-  DiagnosisSearch(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded,
+  DiagnosisSearch(AxisDiagnosis& diagnosis, std::span<const gap::Effect> excluded, double to_beat,
                   const std::function<void(double)>& on_progress)
       : diagnosis_(diagnosis),
         fit_(diagnosis.fit),
+        to_beat_(to_beat),
         excluded_(excluded.begin(), excluded.end()),
         left_out_(excluded_),
         on_progress_(on_progress) {}
@@ -57,6 +58,7 @@ class DiagnosisSearch {
     diagnosis_.least_evidence =
         std::max(diagnosis_.least_evidence, kLeastShareOfKnown * diagnosis_.known_evidence);
     add_all();
+    if (is_behind()) return;
     bool has_changed = prune();
     if (split_curve()) {
       add_all();
@@ -68,8 +70,14 @@ class DiagnosisSearch {
 
  private:
   void add_all() {
-    while (diagnosis_.found.size() < kMostEffects && add_one()) {
+    while (diagnosis_.found.size() < kMostEffects && !is_behind() && add_one()) {
     }
+  }
+
+  /// Has it found two causes, and is still behind another search with all of its? Where that had missed the
+  /// causes one or two did.
+  [[nodiscard]] bool is_behind() const {
+    return diagnosis_.found.size() >= 2 && fit_.unlikeliness() > to_beat_;
   }
 
   [[nodiscard]] bool may_be_found(gap::Effect effect) const {
@@ -337,6 +345,7 @@ class DiagnosisSearch {
 
   AxisDiagnosis& diagnosis_;
   AxisFit& fit_;
+  const double to_beat_;
   const std::vector<gap::Effect> excluded_;
   std::vector<gap::Effect> left_out_;
   std::optional<AxisFit> before_newest_;  ///< without the effect that was found last
@@ -383,10 +392,10 @@ void AxisDiagnosis::take_sizes() {
 }
 
 AxisDiagnosis search_effects(const AxisFit& start, const AxisFit& nominal,
-                             std::span<const gap::Effect> excluded, double least_evidence,
+                             std::span<const gap::Effect> excluded, double least_evidence, double to_beat,
                              const std::function<void(double)>& on_progress) {
   AxisDiagnosis diagnosis{.fit = start, .nominal = nominal, .least_evidence = least_evidence};
-  DiagnosisSearch(diagnosis, excluded, on_progress).run();
+  DiagnosisSearch(diagnosis, excluded, to_beat, on_progress).run();
   return diagnosis;
 }
 

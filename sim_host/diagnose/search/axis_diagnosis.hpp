@@ -49,9 +49,11 @@ struct AxisDiagnosis {
 };
 
 /// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.
-/// `start`: a fit of the nominal model to begin with; `nominal`: the best one that is known.
+/// `start`: a fit of the nominal model to begin with; `nominal`: the best one that is known. `to_beat`: the
+/// unlikeliness that another search has ended with; one that stays behind that with two effects ends there.
 AxisDiagnosis search_effects(
     const AxisFit& start, const AxisFit& nominal, std::span<const gap::Effect> excluded,
-    double least_evidence, const std::function<void(double share)>& on_progress = [](double) {});
+    double least_evidence, double to_beat = AxisFit::kNone,
+    const std::function<void(double share)>& on_progress = [](double) {});
 
 }  // namespace morepro::host
