@@ -3,6 +3,7 @@
 
 #include "sim_host/diagnose/board/board_settings.hpp"
 #include "sim_host/diagnose/board/board_watch.hpp"
+#include "sim_host/diagnose/signals/sampling_checks.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {
@@ -56,23 +57,37 @@ TEST(BoardWatch, TakesStepsOfWhichNoFaultIsToldForTheSensorsOwn) {
   EXPECT_EQ(result.board.verdict, gap::GapVerdict::kNoGap) << gap::info_of(result.board.effect).name;
 }
 
-// What --apply writes states the noise that was assumed. Without the steps the next recording of the same machine
-// had a sensor_quantization.
-TEST(BoardWatch, HasTheSensorsOwnStepsInTheFileThatIsWritten) {
+// The machine that is found states the noise that was assumed. Without the steps the next recording of it had
+// a sensor_quantization. What the file states stays.
+TEST(BoardWatch, HasTheSensorsOwnStepsInTheMachineThatWasFound) {
+  SimulatedRun run;
+  run.configuration.sensors[Channel::kArmatureCurrent].lsb = 0.07;
+  run.configuration.sensors[Channel::kSpindleSpeed].lsb = 0.2;
+  MachineDescription machine = datasheet(0.0);
+  machine.assumed_noise = bit_of(Channel::kArmatureCurrent);
+  MachineDescription found;
+  const RecordingSignals first = record(run);
+  ASSERT_NEAR(host::step_of(first.value[index_of(Channel::kSpindleSpeed)]), 0.2, 1.0e-3);
+  host::diagnose(first, machine, {}, found);
+  EXPECT_NEAR(found.configuration.sensors[Channel::kArmatureCurrent].lsb, 0.07, 1.0e-6);
+  EXPECT_EQ(found.configuration.sensors[Channel::kSpindleSpeed].lsb, 0.0);
+  found.assumed_noise = 0;
+  run.seed += 1;
+  const DiagnosisResult result = diagnosed(record(run), found);
+  EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
+}
+
+// Steps that a file states as an effect are not its sensor's as well: the two would be multiplied.
+TEST(BoardWatch, LeavesStepsToTheEffectThatStatesThem) {
   SimulatedRun run;
   run.configuration.sensors[Channel::kArmatureCurrent].lsb = 0.07;
   MachineDescription machine = datasheet(0.0);
   machine.assumed_noise = bit_of(Channel::kArmatureCurrent);
-  MachineDescription written;
-  const RecordingSignals first = record(run);
-  host::diagnose(first, machine, {}, written);
-  EXPECT_NEAR(written.configuration.sensors[Channel::kArmatureCurrent].lsb, 0.07, 1.0e-6);
-  EXPECT_EQ(written.configuration.sensors[Channel::kSpindleSpeed].lsb,
-            machine.configuration.sensors[Channel::kSpindleSpeed].lsb);
-  written.assumed_noise = 0;
-  run.seed += 1;
-  const DiagnosisResult result = diagnosed(record(run), written);
-  EXPECT_EQ(result.verdict, host::Verdict::kNoGap) << said(result);
+  machine.effects = {effect(Effect::kSensorQuantization, 1.4)};
+  MachineDescription found;
+  host::diagnose(record(run), machine, {}, found);
+  EXPECT_EQ(found.configuration.sensors[Channel::kArmatureCurrent].lsb, 0.0);
+  EXPECT_EQ(found.effects.size(), 1U);
 }
 
 /// Values that an effect has bent too far do not show it any more.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "sim_host/diagnose/fit/standstill.hpp"
 #include "tests/unit/diagnose_support.hpp"
@@ -67,29 +69,65 @@ TEST(Standstill, IsSeenThroughSamplesThatWereLost) {
   EXPECT_TRUE(passes_standstill_seldom(signals));
 }
 
-// Of an axis that turns round in the middle and once before, a quarter that lies anywhere may have missed
-// both.
-TEST(Standstill, IsInTheQuarterThatIsLookedAtFirst) {
-  RecordingSignals signals = shuttle(1, 0.0);
+bool are_seen(const std::vector<Stretch>& stretches, std::size_t row) {
+  return std::ranges::any_of(stretches, [row](const Stretch& s) { return s.first <= row && row < s.last; });
+}
+
+/// 50 s with the rows that a shuttle has in 10 s, which rests until `rested` and goes on at the end.
+RecordingSignals shuttle_of_50_s(int turns, std::size_t rested) {
+  RecordingSignals signals = shuttle(turns, 0.0);
   signals.rows *= 5;
-  signals.rate_hz *= 5.0;
   auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
-  const std::vector<float> once = speed;
-  for (std::size_t row = speed.size(); row < signals.rows; ++row) speed.push_back(once.back());
-  for (std::size_t row = 0; row < 1700; ++row) speed[row] = 0.0F;
-  const auto is_seen = [](const std::vector<Stretch>& stretches, std::size_t row) {
-    return std::ranges::any_of(stretches, [row](const Stretch& s) { return s.first <= row && row < s.last; });
-  };
-  const std::vector<Stretch> telling = telling_quarter_of(Axis::kFeed, signals);
-  const std::vector<Stretch> any = quarter_of(signals);
-  ASSERT_EQ(telling.size(), any.size());
-  for (const std::size_t row : {1700U, 5000U}) EXPECT_TRUE(is_seen(telling, row)) << row;
-  EXPECT_FALSE(is_seen(any, 1700) && is_seen(any, 5000));
-  for (std::size_t i = 0; i < any.size(); ++i) {
-    EXPECT_EQ(telling[i].last - telling[i].first, any[i].last - any[i].first);
-    EXPECT_LE(telling[i].last, i + 1 < any.size() ? telling[i + 1].first : signals.rows);
+  speed.resize(signals.rows, speed.back());
+  std::fill_n(speed.begin(), rested, 0.0F);
+  return signals;
+}
+
+// Two that are far apart, and four of which two pairs are in one sixteenth each.
+TEST(Standstill, IsInTheQuarterThatIsLookedAtFirst) {
+  for (const auto& [turns, rows] : {std::pair{1, std::vector<std::size_t>{1700, 5000}},
+                                    std::pair{3, std::vector<std::size_t>{1700, 3333, 5000, 6666, 8333}}}) {
+    const RecordingSignals signals = shuttle_of_50_s(turns, 1700);
+    const std::vector<Stretch> telling = telling_quarter_of(Axis::kFeed, signals);
+    const std::vector<Stretch> any = quarter_of(signals);
+    ASSERT_EQ(telling.size(), any.size());
+    EXPECT_TRUE(std::ranges::any_of(rows, [&any](std::size_t row) { return !are_seen(any, row); }));
+    for (const std::size_t row : rows) {
+      EXPECT_TRUE(are_seen(telling, row - 10)) << row;
+      EXPECT_TRUE(are_seen(telling, row + 10)) << row;
+    }
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < any.size(); ++i) {
+      EXPECT_GE(telling[i].last - telling[i].first, any[i].last - any[i].first);
+      EXPECT_GE(telling[i].first, before);
+      before = telling[i].last;
+    }
+    EXPECT_LE(before, signals.rows);
   }
-  EXPECT_EQ(telling_quarter_of(Axis::kSpindle, signals).front().first, any.front().first);
+}
+
+TEST(Standstill, IsNotLookedForWhereItIsOftenOrNotRecorded) {
+  RecordingSignals signals = shuttle_of_50_s(6, 1700);
+  const auto is_plain = [&signals](Axis axis) {
+    return std::ranges::equal(telling_quarter_of(axis, signals), quarter_of(signals), {}, &Stretch::first,
+                              &Stretch::first);
+  };
+  EXPECT_TRUE(is_plain(Axis::kFeed));
+  signals = shuttle_of_50_s(1, 1700);
+  EXPECT_FALSE(is_plain(Axis::kFeed));
+  EXPECT_TRUE(is_plain(Axis::kSpindle));
+  signals.value[index_of(Channel::kFeedSpeed)].clear();
+  EXPECT_TRUE(is_plain(Axis::kFeed));
+}
+
+// A hole is no rest.
+TEST(Standstill, IsNoHole) {
+  RecordingSignals signals = shuttle_of_50_s(1, 0);
+  auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
+  const std::vector<Stretch> whole = telling_quarter_of(Axis::kFeed, signals);
+  std::fill_n(speed.begin() + 30000, 300, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_TRUE(std::ranges::equal(telling_quarter_of(Axis::kFeed, signals), whole, {}, &Stretch::first,
+                                 &Stretch::first));
 }
 
 TEST(Standstill, IsAllThatSensorsShowWithinTheirNoise) {

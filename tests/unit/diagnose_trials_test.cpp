@@ -1,6 +1,8 @@
 // Which causes are put into the model and weighed there, whatever a linearisation promises for them.
 #include <gtest/gtest.h>
 
+#include "sim_host/diagnose/fit/nominal_fit.hpp"
+#include "sim_host/diagnose/search/axis_diagnosis.hpp"
 #include "tests/unit/diagnose_support.hpp"
 
 namespace morepro::diagnose_test {
@@ -34,6 +36,22 @@ TEST(Trials, AreGivenToWhatComesBackWithEveryTurn) {
 TEST(Trials, AreGivenToWhatPromisesLessThanAnAbsurdCause) {
   for (const std::uint64_t seed : {31U, 32U})
     expect_alone(effect(Effect::kFeedDriveLag, 4.0e-3), 4.0e-3, seed);
+}
+
+// A search from elsewhere whose two effects are no better than those of the first one leads where that one did.
+TEST(FurtherSearch, EndsWhereItIsNoBetterWithTwoEffects) {
+  const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 3.0),
+                                                       effect(Effect::kFeedScrewPeriodic, 3.0),
+                                                       effect(Effect::kFeedDriveLag, 5.0e-4)}});
+  const host::AxisFit start(Axis::kFeed, signals, gap_model(datasheet(0.0), signals));
+  const host::AxisFit nominal = host::nominal_fits(start).front();
+  const auto found = [&nominal](double to_beat) {
+    return host::search_effects(nominal, nominal, {}, 40.0, to_beat);
+  };
+  const host::AxisDiagnosis first = found(host::AxisFit::kNone);
+  ASSERT_EQ(first.found.size(), 3U);
+  EXPECT_EQ(found(first.cost_of_two).found.size(), 2U);
+  EXPECT_EQ(found(first.cost_of_two + 100.0).found.size(), 3U);
 }
 
 }  // namespace

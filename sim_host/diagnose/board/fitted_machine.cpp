@@ -1,5 +1,7 @@
 #include "sim_host/diagnose/board/fitted_machine.hpp"
 
+#include <algorithm>
+
 #include "lib/gap/effect_size.hpp"
 #include "sim_host/diagnose/outcome/parameter_report.hpp"
 #include "sim_host/diagnose/search/winding_heat.hpp"
@@ -17,14 +19,24 @@ void take_values(const AxisFit& fit, MachineParameters& machine) {
 
 void take_fault(const SamplingFault& fault, const gap::EffectScales<double>& scales,
                 MachineDescription& machine) {
-  if (fault.effect == gap::Effect::kSensorQuantization) {
-    SensorNoise& sensor = machine.configuration.sensors[fault.channel];
-    sensor.lsb = fault.size * sensor.unit();
-    return;
-  }
+  if (fault.effect == gap::Effect::kSensorQuantization) return;  // its sensor's steps
   std::erase_if(machine.effects,
                 [&fault](const gap::AppliedEffect& known) { return known.form.effect == fault.effect; });
   machine.effects.push_back(gap::applied(fault.effect, fault.size, scales));
+}
+
+/// Steps that are a fault become their sensor's, and so do those of a sensor of which the file says nothing:
+/// it states what was assumed of that from now on. Unless it states them as an effect already.
+void take_steps(const RecordingSignals& signals, std::span<const SamplingFault> faults,
+                MachineDescription& machine) {
+  Sensors& sensors = machine.configuration.sensors;
+  const bool is_known = std::ranges::any_of(machine.effects, [](const gap::AppliedEffect& known) {
+    return known.form.effect == gap::Effect::kSensorQuantization;
+  });
+  if (!is_known) sensors = with_own_steps(sensors, signals, faults, machine.assumed_noise);
+  for (const SamplingFault& fault : faults)
+    if (fault.effect == gap::Effect::kSensorQuantization)
+      sensors[fault.channel].lsb = signals.step[index_of(fault.channel)];
 }
 
 /// What a winding without a sensor is as warm by as the effect takes it for.
@@ -50,10 +62,7 @@ MachineDescription machine_with_effects(MachineDescription machine, std::span<co
                                         std::span<const SamplingFault> faults,
                                         const ScalesOfEffects& scales) {
   for (const SamplingFault& fault : faults) take_fault(fault, scales.stated, machine);
-  if (!outcomes.empty())
-    machine.configuration.sensors =
-        with_own_steps(machine.configuration.sensors, outcomes.front().diagnosis.fit.signals(), faults,
-                       machine.assumed_noise);
+  if (!outcomes.empty()) take_steps(outcomes.front().diagnosis.fit.signals(), faults, machine);
   for (const AxisOutcome& outcome : outcomes) {
     const AxisFit& fit = outcome.diagnosis.fit;
     take_values(fit, machine.configuration.machine);

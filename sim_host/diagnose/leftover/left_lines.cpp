@@ -121,6 +121,7 @@ bool shows_its_steps(const AxisFit& fit, const GapStatistics& statistics, std::s
   const double step = fit.signals().step[index_of(channel)];
   if (!(step * step / 12.0 > kMostly * stated)) return false;
   const auto& normalised = statistics.normalised[sensor];
+  if (normalised.empty()) return false;
   const auto count = static_cast<double>(normalised.size());
   double squares = 0.0;
   for (const float value : normalised) squares += static_cast<double>(value) * static_cast<double>(value);

@@ -12,6 +12,8 @@ struct Wandering {
   double torque_share = 0.0;  ///< of it, spindle: the rest is voltage
 };
 
+/// None where a sensor of the axis mostly shows its coarse steps, whose rounding lasts as long as a motion is
+/// even, or where the observer takes a sensor's noise for forces: either is in the innovations of both.
 Wandering wandering_of(const AxisFit& fit);
 
 /// Means of innovations over that long hardly know of each other where random forces are all there is.

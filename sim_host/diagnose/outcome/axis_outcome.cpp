@@ -354,8 +354,8 @@ double AxisOutcome::unnamed_deviance_in(gap::Balance balance) const {
   return share * unnamed_deviance();
 }
 
-// Process noise that is fitted to all of a recording may hold something small, and many causes together a
-// structure without a name.
+// Where much is left, or it took many causes, the search begins once more from other values, and with what
+// the first third of the recording says by itself: what sets in late has bent the values of all of it.
 std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals, const GapModel& datasheet,
                                       const DiagnosisOptions& options) {
   const std::vector<AxisFit> starts = nominal_fits(AxisFit(axis, signals, datasheet));
@@ -364,11 +364,13 @@ std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals
   const AxisFit& nominal = starts.front();
   AxisOutcome outcome = outcome_from(searched(nominal, nominal, AxisFit::kNone, options), options);
   const auto try_from = [&](const AxisFit& start) {
-    const double to_beat = cost_of(outcome.diagnosis.fit);
-    AxisDiagnosis other = searched(start, nominal, to_beat, options);
-    if (!(cost_of(other.fit) < to_beat)) return;
+    AxisDiagnosis other = searched(start, nominal, outcome.diagnosis.cost_of_two, options);
+    const auto is_better = [&outcome](const AxisFit& fit) {
+      return cost_of(fit) < cost_of(outcome.diagnosis.fit);
+    };
+    if (!is_better(other.fit)) return;
     AxisOutcome nearer = outcome_from(std::move(other), options);
-    if (cost_of(nearer.diagnosis.fit) < to_beat) outcome = std::move(nearer);
+    if (is_better(nearer.diagnosis.fit)) outcome = std::move(nearer);
   };
   if (starts.size() > 1 && is_doubtful(outcome)) try_from(starts.back());
   if (is_doubtful(outcome) || sets_in_late(outcome))

@@ -70,14 +70,13 @@ class DiagnosisSearch {
 
  private:
   void add_all() {
-    while (diagnosis_.found.size() < kMostEffects && !is_behind() && add_one()) {
-    }
+    while (diagnosis_.found.size() < kMostEffects && !is_behind() && add_one())
+      if (diagnosis_.found.size() == 2) diagnosis_.cost_of_two = cost_of(fit_);
   }
 
-  /// Has it found two causes, and is still behind another search with all of its? Where that had missed the
-  /// causes one or two did.
+  /// Are two causes from here no better than two of another search? Then this one leads where that one did.
   [[nodiscard]] bool is_behind() const {
-    return diagnosis_.found.size() >= 2 && fit_.unlikeliness() > to_beat_;
+    return diagnosis_.found.size() == 2 && diagnosis_.cost_of_two > to_beat_ - diagnosis_.least_evidence;
   }
 
   [[nodiscard]] bool may_be_found(gap::Effect effect) const {
@@ -120,8 +119,7 @@ class DiagnosisSearch {
     diagnosis_.rest = fit_.collect_with_each(diagnosis_.others);
   }
 
-  // Beside an effect that the machine file states another one has to be worth as much as beside one that was
-  // found.
+  // Beside a stated effect another one has to be worth as much as beside one that was found.
   double evidence_of_known() const {
     if (fit_.model().known.empty()) return 0.0;
     AxisFit without = fit_;

@@ -32,8 +32,9 @@ struct AxisDiagnosis {
   AxisFit fit;      ///< the model with the effects
   AxisFit nominal;  ///< the model with refitted parameters only
   std::vector<Finding> found{};
-  double known_evidence = 0.0;            ///< of the machine file's effects, all together
-  double least_evidence = 0.0;            ///< that an effect needed to be looked at
+  double known_evidence = 0.0;          ///< of the machine file's effects, all together
+  double least_evidence = 0.0;          ///< that an effect needed to be looked at
+  double cost_of_two = AxisFit::kNone;  ///< `cost_of` with the first two effects; infinite where one was all
   std::vector<gap::EffectForm> others{};  ///< candidates beside the findings,
   GapStatistics rest{};                   ///< and the moments of what is left with them
 
@@ -49,8 +50,9 @@ struct AxisDiagnosis {
 };
 
 /// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.
-/// `start`: a fit of the nominal model to begin with; `nominal`: the best one that is known. `to_beat`: the
-/// unlikeliness that another search has ended with; one that stays behind that with two effects ends there.
+/// `start`: a fit of the nominal model to begin with; `nominal`: the best one that is known. `to_beat`:
+/// `cost_of_two` of another search; one that is no better with two effects ends there, and nothing of it is
+/// pruned.
 AxisDiagnosis search_effects(
     const AxisFit& start, const AxisFit& nominal, std::span<const gap::Effect> excluded,
     double least_evidence, double to_beat = AxisFit::kNone,

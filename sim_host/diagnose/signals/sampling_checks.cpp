@@ -199,23 +199,21 @@ std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors&
     Steps steps{.size = step_of(column)};
     double& coarsest = signals.step[index_of(channel)];
     coarsest = std::max(steps.size, sensor.lsb);
-    double& rounding = signals.rounding_deviance[index_of(channel)];
-    if (coarsest > 0.0) rounding = rounding_deviance(column, coarsest, sensor.noise);
     if (!is_coarse(steps.size)) steps = late_steps_of(column);
-    if (!is_coarse(steps.size)) continue;
-    const double ratio = steps.size / sensor.unit();
-    const bool is_late = steps.first_row > column.size() / 20;
-    const bool is_told = (assumed & bit_of(channel)) == 0 || is_late || hides_noise(column, steps.size);
-    if (is_told)
-      faults.push_back({.effect = gap::Effect::kSensorQuantization,
-                        .channel = channel,
-                        .size = ratio,
-                        .standard_error = kStepError * ratio,
-                        .evidence = kCertain,
-                        .onset_s = static_cast<double>(steps.first_row) / signals.rate_hz});
-    sensor.lsb = steps.size;
-    coarsest = std::max(coarsest, steps.size);
-    rounding = rounding_deviance(column, steps.size, sensor.noise);
+    if (is_coarse(steps.size)) {
+      const double ratio = steps.size / sensor.unit();
+      const bool is_late = steps.first_row > column.size() / 20;
+      if ((assumed & bit_of(channel)) == 0 || is_late || hides_noise(column, steps.size))
+        faults.push_back({.effect = gap::Effect::kSensorQuantization,
+                          .channel = channel,
+                          .size = ratio,
+                          .standard_error = kStepError * ratio,
+                          .evidence = kCertain,
+                          .onset_s = static_cast<double>(steps.first_row) / signals.rate_hz});
+      sensor.lsb = coarsest = steps.size;
+    }
+    if (coarsest > 0.0)
+      signals.rounding_deviance[index_of(channel)] = rounding_deviance(column, coarsest, sensor.noise);
   }
   return faults;
 }

@@ -23,12 +23,14 @@ struct SamplingFault {
 /// The step that all values of a column are multiples of; 0 where there is none.
 double step_of(const std::vector<float>& column);
 
-/// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them, and
-/// what their rounding may be worth to a cause noted in `signals`, as are the steps of all sensors. Of those
+/// Steps that are coarser than the machine file says; the sensor's last bit in `sensors` is set to them. The
+/// steps of all sensors are noted in `signals`, with what their rounding may be worth to a cause. Of those
 /// that are `assumed`, bit_of(channel), the file says nothing: steps are a fault where they hide the noise.
 /// Those that have steps `of_their_own`, that are known, are not looked at.
 std::vector<SamplingFault> find_quantization(RecordingSignals& signals, Sensors& sensors,
                                              std::uint16_t assumed = 0, std::uint16_t of_their_own = 0);
+
+inline constexpr std::uint16_t kAllChannels = 0xFFFF;
 
 /// The sensors with the steps that the machine is known to have beside them.
 Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> known);
@@ -36,7 +38,7 @@ Sensors with_known_steps(Sensors sensors, std::span<const gap::AppliedEffect> kn
 /// The sensors, those of `channels` (bit_of(channel)) with the steps that a recording has of which no fault
 /// is told.
 Sensors with_own_steps(Sensors sensors, const RecordingSignals& signals,
-                       std::span<const SamplingFault> faults, std::uint16_t channels = 0xFFFF);
+                       std::span<const SamplingFault> faults, std::uint16_t channels = kAllChannels);
 
 /// Takes out those that the machine is known to have about that much of.
 void leave_out_known(std::span<const gap::AppliedEffect> known, std::vector<SamplingFault>& faults);
