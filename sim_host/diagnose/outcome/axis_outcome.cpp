@@ -364,11 +364,12 @@ std::optional<AxisOutcome> outcome_of(Axis axis, const RecordingSignals& signals
   const AxisFit& nominal = starts.front();
   AxisOutcome outcome = outcome_from(searched(nominal, nominal, AxisFit::kNone, options), options);
   const auto try_from = [&](const AxisFit& start) {
-    AxisDiagnosis other = searched(start, nominal, outcome.diagnosis.cost_of_two, options);
+    const double to_beat = outcome.diagnosis.cost_of_two;
+    AxisDiagnosis other = searched(start, nominal, to_beat, options);
     const auto is_better = [&outcome](const AxisFit& fit) {
       return cost_of(fit) < cost_of(outcome.diagnosis.fit);
     };
-    if (!is_better(other.fit)) return;
+    if (other.is_behind(to_beat) || !is_better(other.fit)) return;
     AxisOutcome nearer = outcome_from(std::move(other), options);
     if (is_better(nearer.diagnosis.fit)) outcome = std::move(nearer);
   };

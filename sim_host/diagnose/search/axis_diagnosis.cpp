@@ -58,7 +58,7 @@ class DiagnosisSearch {
     diagnosis_.least_evidence =
         std::max(diagnosis_.least_evidence, kLeastShareOfKnown * diagnosis_.known_evidence);
     add_all();
-    if (is_behind()) return;
+    if (diagnosis_.is_behind(to_beat_)) return;
     bool has_changed = prune();
     if (split_curve()) {
       add_all();
@@ -70,13 +70,8 @@ class DiagnosisSearch {
 
  private:
   void add_all() {
-    while (diagnosis_.found.size() < kMostEffects && !is_behind() && add_one())
+    while (diagnosis_.found.size() < kMostEffects && !diagnosis_.is_behind(to_beat_) && add_one())
       if (diagnosis_.found.size() == 2) diagnosis_.cost_of_two = cost_of(fit_);
-  }
-
-  /// Are two causes from here no better than two of another search? Then this one leads where that one did.
-  [[nodiscard]] bool is_behind() const {
-    return diagnosis_.found.size() == 2 && diagnosis_.cost_of_two > to_beat_ - diagnosis_.least_evidence;
   }
 
   [[nodiscard]] bool may_be_found(gap::Effect effect) const {

@@ -41,6 +41,11 @@ struct AxisDiagnosis {
   /// Evidence that a finding needs to stay, where `usual` is what any other needs: an offset that turned out
   /// to grow with the speed is still there, if less of it.
   [[nodiscard]] double needed(const Finding& finding, double usual) const;
+  /// Are its first two effects no better than those of another search, with a `cost_of_two` of `to_beat`?
+  /// Then it leads where that one did.
+  [[nodiscard]] bool is_behind(double to_beat) const {
+    return std::isfinite(cost_of_two) && cost_of_two > to_beat - least_evidence;
+  }
   /// Has no model been found that follows the axis? What the machine file states drives it away.
   [[nodiscard]] bool runs_away() const { return !std::isfinite(fit.unlikeliness()); }
   /// Deviance that all names together take.
@@ -51,8 +56,7 @@ struct AxisDiagnosis {
 
 /// Looks for the effects of one axis, one after another, each with the parameters refitted; at most four.
 /// `start`: a fit of the nominal model to begin with; `nominal`: the best one that is known. `to_beat`:
-/// `cost_of_two` of another search; one that is no better with two effects ends there, and nothing of it is
-/// pruned.
+/// `cost_of_two` of another search; one that is behind ends there, and nothing of it is pruned.
 AxisDiagnosis search_effects(
     const AxisFit& start, const AxisFit& nominal, std::span<const gap::Effect> excluded,
     double least_evidence, double to_beat = AxisFit::kNone,
