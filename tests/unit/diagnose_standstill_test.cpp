@@ -120,6 +120,14 @@ TEST(Standstill, IsNotLookedForWhereItIsOftenOrNotRecorded) {
   EXPECT_TRUE(is_plain(Axis::kFeed));
 }
 
+// In pieces of 47 ms a slide that swings behind its play was random forces.
+TEST(Standstill, IsSeenWithAllElseWhereAQuarterWouldBeInTooShortPieces) {
+  RecordingSignals signals = shuttle_of_50_s(1, 1700);
+  signals.rate_hz = 10.0 * kRateHz;
+  EXPECT_EQ(telling_quarter_of(Axis::kFeed, signals).size(), 1U);
+  EXPECT_GT(telling_quarter_of(Axis::kSpindle, signals).size(), 1U);
+}
+
 // A hole is no rest.
 TEST(Standstill, IsNoHole) {
   RecordingSignals signals = shuttle_of_50_s(1, 0);

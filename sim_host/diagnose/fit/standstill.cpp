@@ -97,10 +97,13 @@ bool passes_standstill_seldom(const RecordingSignals& signals) {
 
 // A spindle that seldom stands still was seen as a whole once: an offset of 53 V stood in for crosstalk.
 std::vector<Stretch> telling_quarter_of(Axis axis, const RecordingSignals& signals) {
+  constexpr double kLastingS = 0.1;  // in 47 ms a slide that swings behind its play was random forces
   std::vector<Stretch> quarter = quarter_of(signals);
   if (axis == Axis::kSpindle || quarter.size() == 1) return quarter;
   const std::vector<std::size_t> moves = moves_of(signals);
   if (!are_seldom(moves)) return quarter;
+  if (static_cast<double>(quarter.front().last - quarter.front().first) < kLastingS * signals.rate_hz)
+    return all_of(signals);
   const std::size_t room = signals.rows / quarter.size();
   for (std::size_t i = 0; i < quarter.size(); ++i)
     quarter[i] = around(moves, quarter[i], {i * room, (i + 1) * room});

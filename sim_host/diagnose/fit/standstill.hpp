@@ -12,8 +12,9 @@ namespace morepro::host {
 bool passes_standstill_seldom(const RecordingSignals& signals);
 
 /// A quarter of a long recording (`quarter_of`); of a feed axis that sets off or turns round eight times at
-/// most it has all of these, since friction shows hardly anywhere else, and is longer where it has to be. The
-/// plain quarter where the feed's speed was not recorded.
+/// most it has all of these, since friction shows hardly anywhere else, and is longer where it has to be; all
+/// of the recording where its pieces are too short for what happens there. The plain quarter where the feed's
+/// speed was not recorded.
 std::vector<Stretch> telling_quarter_of(Axis axis, const RecordingSignals& signals);
 
 /// Does an axis stand still, as far as its sensors can tell? The spindle's speed, the feed's speed, or its
