@@ -89,8 +89,7 @@ class Diagnosis {
     measure();
     reconsider();
     doubt_shapes(outcomes_, result_);
-    result_.not_found =
-        detection_limits(outcomes_, result_, options_.excluded, {recording_scales(), file_scales()});
+    result_.not_found = detection_limits(outcomes_, result_, options_.excluded, both_scales());
     result_.explanation = explanation();
     watch_like_a_board();
   }
@@ -112,7 +111,7 @@ class Diagnosis {
 
   DiagnosisResult take_result(MachineDescription& with_effects) {
     for (const AxisOutcome& outcome : outcomes_) options_.on_axis(outcome.diagnosis);
-    with_effects = machine_with_effects(machine_, outcomes_, faults_, {recording_scales(), file_scales()});
+    with_effects = machine_with_effects(machine_, signals_, outcomes_, faults_, both_scales());
     with_effects.configuration.gap = result_.for_board;
     for (const SettingKey& key : setting_keys())
       if (key.table == "gap") with_effects.stated.insert(full_name(key));
@@ -129,6 +128,7 @@ class Diagnosis {
   gap::EffectScales<double> recording_scales() const {
     return {machine_.configuration.machine, datasheet_.point};
   }
+  ScalesOfEffects both_scales() const { return {recording_scales(), file_scales()}; }
 
   /// Both axes report at once; what is told is how far the slower one is.
   DiagnosisOptions reporting_for(std::size_t axis) {

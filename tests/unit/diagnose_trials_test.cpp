@@ -43,7 +43,7 @@ TEST(FurtherSearch, EndsWhereItIsNoBetterWithTwoEffects) {
   const RecordingSignals signals = record({.effects = {effect(Effect::kFeedForceOffset, 3.0),
                                                        effect(Effect::kFeedScrewPeriodic, 3.0),
                                                        effect(Effect::kFeedDriveLag, 5.0e-4)}});
-  const host::AxisFit start(Axis::kFeed, signals, gap_model(datasheet(0.0), signals));
+  const host::AxisFit start(host::Axis::kFeed, signals, gap_model(datasheet(0.0), signals));
   const host::AxisFit nominal = host::nominal_fits(start).front();
   const auto found = [&nominal](double to_beat) {
     return host::search_effects(nominal, nominal, {}, 40.0, to_beat);

@@ -58,11 +58,12 @@ FittedValues fitted_values(const MachineParameters& datasheet, std::span<const A
   return fitted;
 }
 
-MachineDescription machine_with_effects(MachineDescription machine, std::span<const AxisOutcome> outcomes,
+MachineDescription machine_with_effects(MachineDescription machine, const RecordingSignals& signals,
+                                        std::span<const AxisOutcome> outcomes,
                                         std::span<const SamplingFault> faults,
                                         const ScalesOfEffects& scales) {
   for (const SamplingFault& fault : faults) take_fault(fault, scales.stated, machine);
-  if (!outcomes.empty()) take_steps(outcomes.front().diagnosis.fit.signals(), faults, machine);
+  take_steps(signals, faults, machine);
   for (const AxisOutcome& outcome : outcomes) {
     const AxisFit& fit = outcome.diagnosis.fit;
     take_values(fit, machine.configuration.machine);

@@ -21,7 +21,8 @@ FittedValues fitted_values(const MachineParameters& datasheet, std::span<const A
 /// faults of its samples, as it is after the recording: what set in stays. A coarse step becomes its
 /// sensor's, and so do the steps of a sensor of which the file says nothing: it states what was assumed of
 /// that from now on, beside which they would be a fault.
-MachineDescription machine_with_effects(MachineDescription machine, std::span<const AxisOutcome> outcomes,
+MachineDescription machine_with_effects(MachineDescription machine, const RecordingSignals& signals,
+                                        std::span<const AxisOutcome> outcomes,
                                         std::span<const SamplingFault> faults, const ScalesOfEffects& scales);
 
 }  // namespace morepro::host

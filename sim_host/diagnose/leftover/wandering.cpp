@@ -32,8 +32,8 @@ double torque_share_of(const AxisFit& fit) {
 /// Does an observer expect so many random forces that it takes its sensors' noise for them? What it leaves
 /// has to be summed up again, and with it what is slow and otherwise far below the noise.
 bool takes_noise_for_forces(const SensorWhitening& whitening) {
-  constexpr double kMost =
-      1.5;  // by which a memory enlarges what does not change; beside loads that wander 1.1
+  // By so much a memory enlarges what does not change; beside loads that wander 1.1.
+  constexpr double kMost = 1.5;
   return 1.0 - std::accumulate(whitening.memory.begin(), whitening.memory.end(), 0.0) > kMost;
 }
 
