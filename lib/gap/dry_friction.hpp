@@ -41,6 +41,24 @@ FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
           -side * sinh_end / cosh_end};
 }
 
+/// What a friction of one takes from its state before and after the rest of a step, so that one that does not
+/// change is right in both of the axis's states: the other one sees only what was taken before. `own`,
+/// `other`: what a constant rate of the state makes of both in a step, and what is left there of a unit of
+/// the state. 0.11 of deviance per row of 20 N s at 1 kHz, with two equal halves.
+template <class Real>
+struct Rubbing {
+  Real before = 0;
+  Real after = 0;
+
+  Rubbing() = default;
+  Rubbing(Real own, Real own_kept, Real other, Real other_kept, Real inertia) {
+    const Real before_s = other_kept == Real(0) ? own / (Real(1) + own_kept) : other / other_kept;
+    before = before_s / inertia;
+    after = (own - own_kept * before_s) / inertia;
+  }
+  [[nodiscard]] Real all() const { return before + after; }
+};
+
 /// Friction in two halves around the rest of a step (Strang), with the turn of a state that changes its side
 /// in between: on the first side it acts until the turn, on the other from there on, not half of the step
 /// each. `start`: the state before the `first` half; `free`: before the `last` one, after the rest of the

@@ -35,16 +35,24 @@ class SpindleObserver {
 
   SpindleObserver(const MachineParameters& machine, const ReferencePoint& point, double step_s,
                   const GapNoise<Real>& noise)
-      : plant_(machine),
-        terms_(EffectScales<Real>(machine, point), step_s),
-        step_s_(static_cast<Real>(step_s)),
-        speed_yield_(Real(0.5) * step_s_ / terms_.scales().inertia_kgm2),
-        current_yield_(Real(0.5) * step_s_ / terms_.scales().inductance_h),
-        noise_(noise),
-        process_noise_{noise.speed_step * noise.speed_step, Real(0), Real(0),
-                       noise.current_step * noise.current_step},
-        braking_per_s_(plant_.spindle_jacobian({}, {}).a00),
-        exponential_(math::exponential_step(plant_.spindle_jacobian({}, {}), step_s_)) {}
+      : plant_(machine), terms_(EffectScales<Real>(machine, point), step_s) {
+    change_step(step_s, noise);
+  }
+
+  /// From now on frames are so long apart, with that noise in between. Not where something remembers steps: a
+  /// lag, a delay, a bristle, a shaft.
+  void change_step(double step_s, const GapNoise<Real>& noise) {
+    step_s_ = static_cast<Real>(step_s);
+    noise_ = noise;
+    process_noise_ = {noise.speed_step * noise.speed_step, Real(0), Real(0),
+                      noise.current_step * noise.current_step};
+    const auto jacobian = plant_.spindle_jacobian({}, {});
+    braking_per_s_ = jacobian.a00;
+    exponential_ = math::exponential_step(jacobian, step_s_);
+    const auto& [phi, psi] = exponential_;
+    speed_rubbing_ = Rubbing<Real>(psi.a00, phi.a00, psi.a10, phi.a10, terms_.scales().inertia_kgm2);
+    current_rubbing_ = Rubbing<Real>(psi.a11, phi.a11, psi.a01, phi.a01, terms_.scales().inductance_h);
+  }
 
   Terms& terms() { return terms_; }
   /// Columns in use: parameters and terms.
@@ -127,10 +135,11 @@ class SpindleObserver {
   void predict(const GapFrame<Real>& frame) {
     const auto& k = terms_.scales();
     const Real half = Real(0.5);
-    // Half of the friction before the rest and half of it after (Strang): right to second order, and a state
-    // that sticks does so where it should.
-    const Braking<Real> on_w{BrakedState::kSpindleSpeed, speed_yield_, frame.time_s, observer_.variance(0)};
-    const Braking<Real> on_i{BrakedState::kCurrent, current_yield_, frame.time_s, observer_.variance(1)};
+    // Some half of the friction before the rest and the other one after (Strang): right to second order, and
+    // a state that sticks does so where it should.
+    Braking<Real> on_w{BrakedState::kSpindleSpeed, speed_rubbing_.before, frame.time_s,
+                       observer_.variance(0)};
+    Braking<Real> on_i{BrakedState::kCurrent, current_rubbing_.before, frame.time_s, observer_.variance(1)};
     begin_own_frictions(terms_);
     const auto w0 = terms_.rub_own(on_w, observer_.mean(0));
     auto i0 = terms_.rub_own(on_i, observer_.mean(1));
@@ -148,12 +157,14 @@ class SpindleObserver {
     const Real rate_i = added_.voltage_v / k.inductance_h;
     const Real free_w = x.speed_rad_s + dw + psi.a00 * rate_w + psi.a01 * rate_i;
     const Real free_i = x.current_a + di + psi.a10 * rate_w + psi.a11 * rate_i;
+    on_w.yield = speed_rubbing_.after;
+    on_i.yield = current_rubbing_.after;
     const auto w1 = terms_.rub_own(on_w, free_w);
     const auto i1 = terms_.rub_on(on_i, observer_.mean(1), i0, free_i);
     const Real rubbed_w = w0.value - observer_.mean(0) + w1.value - free_w;
     const Real rubbed_i = i0.value - observer_.mean(1) + i1.value - free_i;
-    added_.torque_nm += half * rubbed_w / speed_yield_;
-    added_.voltage_v += half * rubbed_i / current_yield_;
+    added_.torque_nm += rubbed_w / speed_rubbing_.all();
+    added_.voltage_v += rubbed_i / current_rubbing_.all();
     const Real added_w = psi.a00 * rate_w + psi.a01 * rate_i + rubbed_w;
     const Real added_i = psi.a10 * rate_w + psi.a11 * rate_i + rubbed_i;
     if (has_columns_) {
@@ -247,8 +258,8 @@ class SpindleObserver {
   Plant<Real> plant_;
   Terms terms_;
   Real step_s_;
-  Real speed_yield_;    ///< what half of an interval's friction of 1 N m takes from the speed
-  Real current_yield_;  ///< and of 1 V from the current
+  Rubbing<Real> speed_rubbing_;    ///< what a friction of 1 N m takes from the speed in a step
+  Rubbing<Real> current_rubbing_;  ///< and one of 1 V from the current
   GapNoise<Real> noise_;
   math::BasicMatrix2<Real> process_noise_;
   Real braking_per_s_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/gap/dry_friction.hpp"
+#include "lib/math/matrix_exponential.hpp"
 
 namespace morepro::gap {
 namespace {
@@ -161,6 +162,24 @@ TEST(ActingFriction, KnowsItsDerivatives) {
       EXPECT_NEAR((friction.step(speed, short_step, scales).value - speed) * on.yield / 1.0e-9, at.rate,
                   1.0e-5);
     }
+}
+
+// Of two states that drive each other, over a step as long as the slower one's memory.
+TEST(Rubbing, TakesFromBothStatesWhatAFrictionTakesThatDoesNotChange) {
+  const math::Matrix2 a{.a00 = -0.4, .a01 = 90.0, .a10 = -70.0, .a11 = -1700.0};
+  constexpr double kStepS = 1.0e-3, kInertia = 5.0e-4, kTorque = 0.03;
+  const auto [phi, psi] = math::exponential_step(a, kStepS);
+  const Rubbing<double> rubbing(psi.a00, phi.a00, psi.a10, phi.a10, kInertia);
+  const double before = rubbing.before * kTorque, after = rubbing.after * kTorque;
+  EXPECT_NEAR(phi.a00 * before + after, psi.a00 * kTorque / kInertia, 1.0e-12);
+  EXPECT_NEAR(phi.a10 * before, psi.a10 * kTorque / kInertia, 1.0e-12);
+  EXPECT_GT(std::fabs(rubbing.before - rubbing.after), 0.1 * rubbing.all()) << "no two halves";
+}
+
+TEST(Rubbing, IsTwoHalvesOfAStateThatNothingElseSees) {
+  const Rubbing<double> rubbing(0.9, 0.8, 0.0, 0.0, 2.0);
+  EXPECT_NEAR(rubbing.before, 0.25, 1.0e-12);
+  EXPECT_NEAR(rubbing.after, 0.25, 1.0e-12);
 }
 
 TEST(DryFriction, StopsAndDoesNotTurnRoundWhateverItsSize) {

@@ -7,6 +7,7 @@
 #include "lib/gap/feed_observer.hpp"
 #include "lib/gap/spindle_observer.hpp"
 #include "sim_host/diagnose/fit/bristle_lead.hpp"
+#include "sim_host/diagnose/fit/interval_parts.hpp"
 #include "sim_host/diagnose/signals/current_drive.hpp"
 #include "sim_host/support/tiny_numbers.hpp"
 
@@ -23,10 +24,13 @@ using Feed = gap::FeedObserver<double, kTerms, kApplied, kDelaySteps>;
 constexpr std::size_t kFewTerms = 16;
 constexpr std::size_t kFewApplied = 4;
 
+std::span<const gap::EffectForm> forms_of(const Disturbances* disturbances) {
+  return disturbances == nullptr ? std::span<const gap::EffectForm>{} : disturbances->forms;
+}
+
 bool is_small(const GapModel& model, const Disturbances* disturbances) {
   std::size_t terms = 0;
-  if (disturbances != nullptr)
-    for (const gap::EffectForm& form : disturbances->forms) terms += form.parts;
+  for (const gap::EffectForm& form : forms_of(disturbances)) terms += form.parts;
   return terms <= kFewTerms && model.known.size() + model.effects.size() <= kFewApplied;
 }
 
@@ -45,25 +49,6 @@ struct SpindleMotion {
   double angle_rad = 0.0;
 };
 
-/// Does something turn within an interval that no closed form knows? What the tool meets turns with the
-/// spindle, a bristle with the axis.
-bool turns_within(Axis axis, const RecordingSignals& signals, const GapModel& model) {
-  if (axis == Axis::kSpindle && signals.has_been_in_contact()) return true;
-  const auto has_bristle = [](const gap::AppliedEffect& one) { return gap::is_bristle(one.form); };
-  return !signals.is_thinned && (std::any_of(model.known.begin(), model.known.end(), has_bristle) ||
-                                 std::any_of(model.effects.begin(), model.effects.end(), has_bristle));
-}
-
-/// Parts that an interval between two samples is integrated in.
-std::size_t parts_of_interval(Axis axis, const RecordingSignals& signals, const GapModel& model) {
-  constexpr double kLongestS = 1.0e-3;  // that is followed to its end
-  const double part_s = axis == Axis::kSpindle ? 1.25e-4 : 2.5e-4;
-  if (!turns_within(axis, signals, model)) return 1;
-  // A rate that is a hair too low needs no more parts.
-  const double interval_s = std::min(0.999 / signals.rate_hz, kLongestS);
-  return static_cast<std::size_t>(std::ceil(interval_s / part_s));
-}
-
 /// The frame of an instant at which nothing is sampled.
 gap::GapFrame<double> unseen(gap::GapFrame<double> frame, double later_s) {
   frame.has_speed = frame.has_current = frame.has_angle = frame.has_feed_speed = frame.has_feed_position =
@@ -72,17 +57,34 @@ gap::GapFrame<double> unseen(gap::GapFrame<double> frame, double later_s) {
   return frame;
 }
 
+/// What an observer is told of the machine where an interval is integrated in so many parts.
+struct Divided {
+  MachineParameters machine;
+  gap::GapNoise<double> noise;
+  double step_s;
+
+  Divided(const RecordingSignals& signals, const GapModel& model, std::size_t parts)
+      : machine(model.machine),
+        noise(model.noise),
+        step_s(1.0 / (static_cast<double>(parts) * signals.rate_hz)) {
+    if (signals.is_current_driven) {
+      CurrentSource source = current_source(machine, noise);
+      machine = source.machine;
+      noise = source.noise;
+    }
+    const double root = std::sqrt(static_cast<double>(parts));
+    noise.speed_step /= root;
+    noise.current_step /= root;
+    noise.feed_step /= root;
+  }
+};
+
 /// Without disturbances there are no columns either. An interval has so many `parts`.
 template <class Observer>
 std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& model,
                                const Disturbances* disturbances, std::size_t parts = 1) {
-  auto [machine, noise] = signals.is_current_driven ? current_source(model.machine, model.noise)
-                                                    : CurrentSource{model.machine, model.noise};
-  const auto count = static_cast<double>(parts);
-  noise.speed_step /= std::sqrt(count);
-  noise.current_step /= std::sqrt(count);
-  noise.feed_step /= std::sqrt(count);
-  auto observer = std::make_unique<Observer>(machine, model.point, 1.0 / (count * signals.rate_hz), noise);
+  const Divided divided(signals, model, parts);
+  auto observer = std::make_unique<Observer>(divided.machine, model.point, divided.step_s, divided.noise);
   if (disturbances == nullptr) observer->leave_out_columns();
   const auto apply = [&] {
     for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
@@ -110,8 +112,8 @@ void report(const Row& row, std::size_t columns, Innovation& innovation, const O
 template <class Observer>
 void run_spindle(const RecordingSignals& signals, const GapModel& model, const Disturbances* disturbances,
                  std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
-  const std::size_t parts = parts_of_interval(Axis::kSpindle, signals, model);
-  const double part_s = 1.0 / (static_cast<double>(parts) * signals.rate_hz);
+  const IntervalParts divided(Axis::kSpindle, signals, model, forms_of(disturbances));
+  std::size_t parts = divided.most();
   const auto observer = make<Observer>(signals, model, disturbances, parts);
   const auto rows = std::make_unique<typename Observer::Rows>();
   const std::size_t columns = disturbances != nullptr ? observer->columns() : 0;
@@ -128,6 +130,12 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
       innovation.sensor = 1;
       if (!signals.is_current_driven) report(rows->current, columns, innovation, on_innovation);
     }
+    if (const std::size_t now = divided.at(observer->speed_rad_s()); now != parts) {
+      parts = now;
+      const Divided step(signals, model, parts);
+      observer->change_step(step.step_s, step.noise);
+    }
+    const double part_s = 1.0 / (static_cast<double>(parts) * signals.rate_hz);
     // All parts of an interval share one input: what is not known of it adds up.
     const double lost = frames.has_lost_inputs() ? static_cast<double>(parts) * signals.lost_voltage_v2 : 0.0;
     observer->move_on(frame);
@@ -142,7 +150,7 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
 template <class Observer>
 void run_feed(const RecordingSignals& signals, const GapModel& model, const Disturbances* disturbances,
               std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
-  const std::size_t parts = parts_of_interval(Axis::kFeed, signals, model);
+  const std::size_t parts = IntervalParts(Axis::kFeed, signals, model, {}).most();
   const double part_s = 1.0 / (static_cast<double>(parts) * signals.rate_hz);
   const auto observer = make<Observer>(signals, model, disturbances, parts);
   const auto rows = std::make_unique<typename Observer::Rows>();

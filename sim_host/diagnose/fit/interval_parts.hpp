@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "sim_host/diagnose/fit/gap_model.hpp"
+#include "sim_host/diagnose/signals/recording_signals.hpp"
+
+namespace morepro::host {
+
+/// How many parts an interval between two samples is integrated in. What a tool meets turns with the spindle,
+/// and a current, a bristle or a lag may change its mind within a long interval: no closed form knows that.
+class IntervalParts {
+ public:
+  /// `terms`: of the columns that are worked out along.
+  IntervalParts(Axis axis, const RecordingSignals& signals, const GapModel& model,
+                std::span<const gap::EffectForm> terms);
+
+  /// Of an interval that begins at this speed of the spindle.
+  [[nodiscard]] std::size_t at(double speed_rad_s) const {
+    return !is_same_always_ && !(speed_rad_s > -slow_rad_s_ && speed_rad_s < slow_rad_s_) ? 1 : most_;
+  }
+  [[nodiscard]] std::size_t most() const { return most_; }
+
+ private:
+  std::size_t most_ = 1;
+  bool is_same_always_ = true;
+  double slow_rad_s_ = 0.0;  ///< below, a spindle may stand still within an interval
+};
+
+}  // namespace morepro::host
