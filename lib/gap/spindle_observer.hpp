@@ -39,8 +39,8 @@ class SpindleObserver {
     change_step(step_s, noise);
   }
 
-  /// From now on frames are so long apart, with that noise in between. Not where something remembers steps: a
-  /// lag, a delay, a bristle, a shaft.
+  /// From the next frame on the frames are that far apart, with that noise in between. Not where a term or an
+  /// effect remembers steps (a lag, a delay, a bristle, a shaft): it would go on in steps of the old length.
   void change_step(double step_s, const GapNoise<Real>& noise) {
     step_s_ = static_cast<Real>(step_s);
     noise_ = noise;
@@ -49,9 +49,7 @@ class SpindleObserver {
     const auto jacobian = plant_.spindle_jacobian({}, {});
     braking_per_s_ = jacobian.a00;
     exponential_ = math::exponential_step(jacobian, step_s_);
-    const auto& [phi, psi] = exponential_;
-    speed_rubbing_ = Rubbing<Real>(psi.a00, phi.a00, psi.a10, phi.a10, terms_.scales().inertia_kgm2);
-    current_rubbing_ = Rubbing<Real>(psi.a11, phi.a11, psi.a01, phi.a01, terms_.scales().inductance_h);
+    if constexpr (kApplied > 0) divide_friction();
   }
 
   Terms& terms() { return terms_; }
@@ -95,6 +93,12 @@ class SpindleObserver {
   }
 
  private:
+  void divide_friction() {
+    const auto& [phi, psi] = exponential_;
+    speed_rubbing_ = Rubbing<Real>(psi.a00, phi.a00, psi.a10, phi.a10, terms_.scales().inertia_kgm2);
+    current_rubbing_ = Rubbing<Real>(psi.a11, phi.a11, psi.a01, phi.a01, terms_.scales().inductance_h);
+  }
+
   void start(const GapFrame<Real>& frame) {
     if (!frame.has_speed) return;
     is_started_ = true;
@@ -135,8 +139,8 @@ class SpindleObserver {
   void predict(const GapFrame<Real>& frame) {
     const auto& k = terms_.scales();
     const Real half = Real(0.5);
-    // Some half of the friction before the rest and the other one after (Strang): right to second order, and
-    // a state that sticks does so where it should.
+    // One part of the friction before the rest and the other after (Strang): right to second order, and a
+    // state that sticks does so where it should.
     Braking<Real> on_w{BrakedState::kSpindleSpeed, speed_rubbing_.before, frame.time_s,
                        observer_.variance(0)};
     Braking<Real> on_i{BrakedState::kCurrent, current_rubbing_.before, frame.time_s, observer_.variance(1)};
@@ -163,8 +167,10 @@ class SpindleObserver {
     const auto i1 = terms_.rub_on(on_i, observer_.mean(1), i0, free_i);
     const Real rubbed_w = w0.value - observer_.mean(0) + w1.value - free_w;
     const Real rubbed_i = i0.value - observer_.mean(1) + i1.value - free_i;
-    added_.torque_nm += rubbed_w / speed_rubbing_.all();
-    added_.voltage_v += rubbed_i / current_rubbing_.all();
+    if constexpr (kApplied > 0) {
+      added_.torque_nm += rubbed_w / speed_rubbing_.all();
+      added_.voltage_v += rubbed_i / current_rubbing_.all();
+    }
     const Real added_w = psi.a00 * rate_w + psi.a01 * rate_i + rubbed_w;
     const Real added_i = psi.a10 * rate_w + psi.a11 * rate_i + rubbed_i;
     if (has_columns_) {
@@ -258,8 +264,10 @@ class SpindleObserver {
   Plant<Real> plant_;
   Terms terms_;
   Real step_s_;
-  Rubbing<Real> speed_rubbing_;    ///< what a friction of 1 N m takes from the speed in a step
-  Rubbing<Real> current_rubbing_;  ///< and one of 1 V from the current
+  // What a friction of 1 N m takes from the speed in a step, and one of 1 V from the current; without what a
+  // cut brakes of that.
+  Rubbing<Real> speed_rubbing_;
+  Rubbing<Real> current_rubbing_;
   GapNoise<Real> noise_;
   math::BasicMatrix2<Real> process_noise_;
   Real braking_per_s_;

@@ -119,8 +119,8 @@ class KnownEffects {
     position_m_ = held.get(Channel::kFeedPosition) - origin_m_;
   }
 
-  /// As the observers of lib/gap: half of the dry friction before the interval and half of it after, all
-  /// other effects in its middle, those of the sensors at its end.
+  /// Half of the dry friction before the interval and half of it after, all other effects in its middle,
+  /// those of the sensors at its end.
   void act(const PlantState<float>& now, HeldInputs& held) {
     constexpr float kHalf = 0.5F;
     const auto& k = terms_.scales();

@@ -176,10 +176,24 @@ TEST(Rubbing, TakesFromBothStatesWhatAFrictionTakesThatDoesNotChange) {
   EXPECT_GT(std::fabs(rubbing.before - rubbing.after), 0.1 * rubbing.all()) << "no two halves";
 }
 
-TEST(Rubbing, IsTwoHalvesOfAStateThatNothingElseSees) {
+TEST(Rubbing, IsRightInItsOwnStateWhereNothingElseSeesIt) {
   const Rubbing<double> rubbing(0.9, 0.8, 0.0, 0.0, 2.0);
   EXPECT_NEAR(rubbing.before, 0.25, 1.0e-12);
-  EXPECT_NEAR(rubbing.after, 0.25, 1.0e-12);
+  EXPECT_NEAR(0.8 * rubbing.before + rubbing.after, 0.9 / 2.0, 1.0e-12);
+}
+
+// A motor of little inertia swings, and one of much has forgotten its speed after a second: what is left of a
+// speed in the current passes zero, and friction would drive, or take a thousand times what it is.
+TEST(Rubbing, TakesNeverMoreThanAFrictionHas) {
+  for (const double inertia : {1.0e-5, 1.0e-4, 5.0e-4})
+    for (double step_s = 1.0e-4; step_s < 2.0; step_s *= 1.1) {
+      const math::Matrix2 a{.a00 = -1.0e-4 / inertia, .a01 = 0.1 / inertia, .a10 = -100.0, .a11 = -1700.0};
+      const auto [phi, psi] = math::exponential_step(a, step_s);
+      const Rubbing<double> rubbing(psi.a00, phi.a00, psi.a10, phi.a10, inertia);
+      EXPECT_GE(rubbing.before, 0.0) << inertia << " " << step_s;
+      EXPECT_LE(rubbing.before, 1.3 * psi.a00 / inertia) << inertia << " " << step_s;
+      EXPECT_NEAR(phi.a00 * rubbing.before + rubbing.after, psi.a00 / inertia, 1.0e-9 * psi.a00 / inertia);
+    }
 }
 
 TEST(DryFriction, StopsAndDoesNotTurnRoundWhateverItsSize) {

@@ -57,13 +57,13 @@ gap::GapFrame<double> unseen(gap::GapFrame<double> frame, double later_s) {
   return frame;
 }
 
-/// What an observer is told of the machine where an interval is integrated in so many parts.
-struct Divided {
+/// What an observer is told where an interval is integrated in so many parts.
+struct PartOfInterval {
   MachineParameters machine;
   gap::GapNoise<double> noise;
   double step_s;
 
-  Divided(const RecordingSignals& signals, const GapModel& model, std::size_t parts)
+  PartOfInterval(const RecordingSignals& signals, const GapModel& model, std::size_t parts)
       : machine(model.machine),
         noise(model.noise),
         step_s(1.0 / (static_cast<double>(parts) * signals.rate_hz)) {
@@ -83,8 +83,8 @@ struct Divided {
 template <class Observer>
 std::unique_ptr<Observer> make(const RecordingSignals& signals, const GapModel& model,
                                const Disturbances* disturbances, std::size_t parts = 1) {
-  const Divided divided(signals, model, parts);
-  auto observer = std::make_unique<Observer>(divided.machine, model.point, divided.step_s, divided.noise);
+  const PartOfInterval part(signals, model, parts);
+  auto observer = std::make_unique<Observer>(part.machine, model.point, part.step_s, part.noise);
   if (disturbances == nullptr) observer->leave_out_columns();
   const auto apply = [&] {
     for (const gap::AppliedEffect& effect : model.known) observer->terms().apply(effect);
@@ -112,8 +112,8 @@ void report(const Row& row, std::size_t columns, Innovation& innovation, const O
 template <class Observer>
 void run_spindle(const RecordingSignals& signals, const GapModel& model, const Disturbances* disturbances,
                  std::size_t first, std::size_t last, const OnInnovation& on_innovation) {
-  const IntervalParts divided(Axis::kSpindle, signals, model, forms_of(disturbances));
-  std::size_t parts = divided.most();
+  const IntervalParts interval(Axis::kSpindle, signals, model, forms_of(disturbances));
+  std::size_t parts = interval.most();
   const auto observer = make<Observer>(signals, model, disturbances, parts);
   const auto rows = std::make_unique<typename Observer::Rows>();
   const std::size_t columns = disturbances != nullptr ? observer->columns() : 0;
@@ -130,10 +130,10 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
       innovation.sensor = 1;
       if (!signals.is_current_driven) report(rows->current, columns, innovation, on_innovation);
     }
-    if (const std::size_t now = divided.at(observer->speed_rad_s()); now != parts) {
+    if (const std::size_t now = interval.at(observer->speed_rad_s()); now != parts) {
       parts = now;
-      const Divided step(signals, model, parts);
-      observer->change_step(step.step_s, step.noise);
+      const PartOfInterval part(signals, model, parts);
+      observer->change_step(part.step_s, part.noise);
     }
     const double part_s = 1.0 / (static_cast<double>(parts) * signals.rate_hz);
     // All parts of an interval share one input: what is not known of it adds up.

@@ -8,7 +8,8 @@
 namespace morepro::host {
 
 /// How many parts an interval between two samples is integrated in. What a tool meets turns with the spindle,
-/// and a current, a bristle or a lag may change its mind within a long interval: no closed form knows that.
+/// a current in contact, an angle or a bristle is another one within a long interval, and no closed form
+/// knows that.
 class IntervalParts {
  public:
   /// `terms`: of the columns that are worked out along.
@@ -17,14 +18,15 @@ class IntervalParts {
 
   /// Of an interval that begins at this speed of the spindle.
   [[nodiscard]] std::size_t at(double speed_rad_s) const {
-    return !is_same_always_ && !(speed_rad_s > -slow_rad_s_ && speed_rad_s < slow_rad_s_) ? 1 : most_;
+    const bool cannot_turn = speed_rad_s > slow_rad_s_ || speed_rad_s < -slow_rad_s_;
+    return !is_same_always_ && cannot_turn ? 1 : most_;
   }
   [[nodiscard]] std::size_t most() const { return most_; }
 
  private:
   std::size_t most_ = 1;
   bool is_same_always_ = true;
-  double slow_rad_s_ = 0.0;  ///< below, a spindle may stand still within an interval
+  double slow_rad_s_ = 0.0;  ///< up to here a spindle may turn within an interval
 };
 
 }  // namespace morepro::host
