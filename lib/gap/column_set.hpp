@@ -119,12 +119,13 @@ class ColumnSet {
 
   /// The second half of a step's friction on a state that may turn in between: from `free`, where the rest of
   /// the step led to, from `start` and the `first` half.
-  FrictionStep<Real> rub_on(const Braking<Real>& on, Real start, FrictionStep<Real>& first, Real free) {
+  FrictionStep<Real> rub_on(const Braking<Real>& on, Real start, FrictionStep<Real>& first, Real free,
+                            const Rubbing<Real>& rubbing) {
     const FrictionStep<Real> last = rub_own(on, free);
     if constexpr (kMostApplied == 0)
       return last;
     else
-      return around_a_turn(start, first, free, last);
+      return around_a_turn(start, first, free, last, rubbing);
   }
 
   /// visit(index, contribution) for every term of that sort.

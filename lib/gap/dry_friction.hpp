@@ -42,44 +42,67 @@ FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
 }
 
 /// What a friction of one takes from its state before and after the rest of a step, so that one that does not
-/// change is right in both of the axis's states: the other one sees only what was taken before. `own`,
-/// `other`: what a constant rate of the state makes of both in a step, and what is left there of a unit of
-/// the state. Over steps that are longer than the states remember, where no such division takes from the
-/// state both times, and where the other state sees nothing, it is right in its own one alone.
+/// change is right in both of the axis's states: the other one sees only what was taken before. Over steps
+/// that are longer than the states remember, where no such division takes from the state both times, and
+/// where the other state sees nothing, it is right in its own one alone.
 template <class Real>
 struct Rubbing {
   Real before = 0;
   Real after = 0;
+  Real all = 0;   ///< what it takes where it acts all the time
+  Real kept = 1;  ///< of a unit of the state, after the step
 
   Rubbing() = default;
-  Rubbing(Real own, Real own_kept, Real other, Real other_kept, Real inertia) {
+  /// Two halves, of a state that keeps everything.
+  explicit Rubbing(Real half) : before(half), after(half), all(Real(2) * half) {}
+  /// `own`, `other`: what a constant rate of the state makes of both in a step, and what is left there of a
+  /// unit of the state; `inertia`: a load over the rate.
+  Rubbing(Real own, Real own_kept, Real other, Real other_kept, Real inertia)
+      : all(own / inertia), kept(own_kept) {
     Real before_s = other / other_kept;
-    const bool is_division = before_s >= Real(0) && before_s <= own && own_kept * before_s <= own;
+    const bool is_division = before_s > Real(0) && before_s <= own && own_kept * before_s < own;
     if (!is_division) before_s = own / (Real(1) + own_kept);
     before = before_s / inertia;
     after = (own - own_kept * before_s) / inertia;
   }
-  [[nodiscard]] Real all() const { return before + after; }
+
+  /// What it takes where it acts during the last `share` of the step.
+  [[nodiscard]] Real during_last(Real share) const {
+    if (!forgets()) return share * all;
+    return all * (Real(1) - math::exp(share * math::log(kept))) / (Real(1) - kept);
+  }
+  /// Share of the step in which the state goes a share of its way.
+  [[nodiscard]] Real time_of(Real way) const {
+    if (!forgets()) return way;
+    return math::log(Real(1) - way * (Real(1) - kept)) / math::log(kept);
+  }
+
+ private:
+  [[nodiscard]] bool forgets() const { return kept > Real(0) && kept < Real(0.999); }
 };
 
 /// Friction in two parts around the rest of a step (Strang), with the turn of a state that changes its side
-/// in between: on the first side it acts until the turn, on the other from there on, as if both parts were
-/// halves. `start`: the state before the `first` half; `free`: before the `last` one, after the rest of the
-/// step. Gives the state after all of it, and the slope of the last half; both slopes become 1 where the
-/// state drives through, because then friction only delays it.
+/// in between: on the first side it acts until the turn, on the other from there on. `start`: the state
+/// before the `first` part; `free`: before the `last` one, after the rest of the step. Gives the state after
+/// all of it, and the slope of the last part; both slopes become 1 where the state drives through, because
+/// then friction only delays it.
 ///
 /// For the current, which crosses zero within one step; an axis that turns is `BrakedMotion`.
 template <class Real>
-FrictionStep<Real> around_a_turn(Real start, FrictionStep<Real>& first, Real free, FrictionStep<Real> last) {
+FrictionStep<Real> around_a_turn(Real start, FrictionStep<Real>& first, Real free, FrictionStep<Real> last,
+                                 const Rubbing<Real>& rubbing) {
   if (!(start * free < Real(0))) return last;
-  const Real lost_first = first.value - start, lost_last = last.value - free;
-  const Real moved = free - first.value;
-  const Real moved_until = moved + Real(2) * lost_first;
-  // Friction would hold it: the halves know better how.
-  if (!(moved * moved_until > Real(0) && moved * (moved + Real(2) * lost_last) > Real(0))) return last;
-  const Real share = std::clamp(-start / moved_until, Real(0), Real(1));  // of the step until the turn
+  const Real load_first = (first.value - start) / rubbing.before;
+  const Real load_last = (last.value - free) / rubbing.after;
+  const Real unrubbed = free - rubbing.kept * (first.value - start);
+  const Real moved = unrubbed - start;
+  const Real moved_until = moved + load_first * rubbing.all;
+  // Friction would hold it: the parts know better how.
+  if (!(moved * moved_until > Real(0) && moved * (moved + load_last * rubbing.all) > Real(0))) return last;
+  const Real until = rubbing.time_of(std::clamp(-start / moved_until, Real(0), Real(1)));
+  const Real since = rubbing.during_last(Real(1) - until);
   first.slope = Real(1);
-  return {last.value + (Real(2) * share - Real(1)) * (lost_first - lost_last), Real(1)};
+  return {unrubbed + load_first * (rubbing.all - since) + load_last * since, Real(1)};
 }
 
 /// Is it a friction that changes its side so steeply that its state may stick?

@@ -164,12 +164,12 @@ class SpindleObserver {
     on_w.yield = speed_rubbing_.after;
     on_i.yield = current_rubbing_.after;
     const auto w1 = terms_.rub_own(on_w, free_w);
-    const auto i1 = terms_.rub_on(on_i, observer_.mean(1), i0, free_i);
+    const auto i1 = terms_.rub_on(on_i, observer_.mean(1), i0, free_i, current_rubbing_);
     const Real rubbed_w = w0.value - observer_.mean(0) + w1.value - free_w;
     const Real rubbed_i = i0.value - observer_.mean(1) + i1.value - free_i;
     if constexpr (kApplied > 0) {
-      added_.torque_nm += rubbed_w / speed_rubbing_.all();
-      added_.voltage_v += rubbed_i / current_rubbing_.all();
+      added_.torque_nm += rubbed_w / (speed_rubbing_.before + speed_rubbing_.after);
+      added_.voltage_v += rubbed_i / (current_rubbing_.before + current_rubbing_.after);
     }
     const Real added_w = psi.a00 * rate_w + psi.a01 * rate_i + rubbed_w;
     const Real added_i = psi.a10 * rate_w + psi.a11 * rate_i + rubbed_i;

@@ -142,7 +142,9 @@ class KnownEffects {
     free.feed_speed_m_s += 2.0F * yield_v * added.force_n;
     PlantState<float> end = after_friction(free, yield_w, yield_i, yield_v);
     gap::FrictionStep<float> first{rubbed.current_a};
-    end.current_a = gap::around_a_turn(now.current_a, first, free.current_a, {end.current_a}).value;
+    end.current_a = gap::around_a_turn(now.current_a, first, free.current_a, {end.current_a},
+                                       gap::Rubbing<float>(yield_i))
+                        .value;
     const auto load = [](float before, float after, float freely, float start, float yield) {
       return 0.5F * (before - start + after - freely) / yield;
     };

@@ -78,7 +78,7 @@ FrictionStep<double> halved(double x, double drive, double loss, bool sees_the_t
   auto first = friction_step(x, kWidth, 0.5 * loss);
   const double free = first.value + drive;
   const auto last = friction_step(free, kWidth, 0.5 * loss);
-  const auto all = sees_the_turn ? around_a_turn(x, first, free, last) : last;
+  const auto all = sees_the_turn ? around_a_turn(x, first, free, last, Rubbing<double>(0.5)) : last;
   return {all.value, first.slope * all.slope};
 }
 
@@ -94,6 +94,38 @@ TEST(DryFriction, ActsOnEachSideForAsLongAsTheStateIsThere) {
                 std::abs(halved(side * start, side * -10.0, 1.0, false).value - truth) + 0.01);
     }
   EXPECT_NEAR(halved(1.0, -10.0, 1.0, true).slope, 1.0, 1.0e-12) << "driven through, a difference stays";
+}
+
+// A current that forgets nine tenths of itself in a step and is driven through zero by a voltage, of which
+// brushes take a tenth; in small steps, against one. A twentieth of what they take: their side is not all
+// that sharp.
+TEST(DryFriction, KnowsHowMuchIsForgottenSinceATurn) {
+  constexpr double kForgets = 2.3, kDrive = -100.0, kLoad = 10.0;
+  const double kept = std::exp(-kForgets), own = (1.0 - kept) / kForgets;
+  const Rubbing<double> rubbing(own, kept, 0.0, 0.0, 1.0);
+  for (const double start : {4.0, 10.0, 30.0, 60.0}) {
+    double truth = start;
+    constexpr int kSteps = 200000;
+    const auto rate = [](double x) { return kDrive - kForgets * x - kLoad * std::tanh(x / kWidth); };
+    for (int i = 0; i < kSteps; ++i) truth += rate(truth + 0.5 / kSteps * rate(truth)) / kSteps;
+    auto first = friction_step(start, kWidth, kLoad * rubbing.before);
+    const double free = kept * first.value + own * kDrive;
+    const auto last = friction_step(free, kWidth, kLoad * rubbing.after);
+    EXPECT_NEAR(around_a_turn(start, first, free, last, rubbing).value, truth, 0.05 * kLoad * own) << start;
+  }
+}
+
+TEST(Rubbing, KnowsWhatItTakesWithinAStep) {
+  constexpr double kForgets = 1.7;
+  const auto taken = [](double share) { return (1.0 - std::exp(-kForgets * share)) / kForgets; };
+  const Rubbing<double> rubbing(taken(1.0), std::exp(-kForgets), 0.0, 0.0, 2.0);
+  for (double share = 0.0; share <= 1.0; share += 0.1)
+    EXPECT_NEAR(rubbing.during_last(share), 0.5 * taken(share), 1.0e-12) << share;
+  for (double share = 0.0; share <= 1.0; share += 0.1)
+    EXPECT_NEAR(rubbing.time_of(taken(share) / taken(1.0)), share, 1.0e-12);
+  const Rubbing<double> halves(0.3);
+  for (double share = 0.0; share <= 1.0; share += 0.1)
+    EXPECT_NEAR(halves.during_last(share), 0.6 * share, 1.0e-12);
 }
 
 TEST(DryFriction, HalvesStayWhereNothingTurnsOrFrictionHolds) {
@@ -173,7 +205,7 @@ TEST(Rubbing, TakesFromBothStatesWhatAFrictionTakesThatDoesNotChange) {
   const double before = rubbing.before * kTorque, after = rubbing.after * kTorque;
   EXPECT_NEAR(phi.a00 * before + after, psi.a00 * kTorque / kInertia, 1.0e-12);
   EXPECT_NEAR(phi.a10 * before, psi.a10 * kTorque / kInertia, 1.0e-12);
-  EXPECT_GT(std::fabs(rubbing.before - rubbing.after), 0.1 * rubbing.all()) << "no two halves";
+  EXPECT_GT(std::fabs(rubbing.before - rubbing.after), 0.1 * rubbing.all) << "no two halves";
 }
 
 TEST(Rubbing, IsRightInItsOwnStateWhereNothingElseSeesIt) {
