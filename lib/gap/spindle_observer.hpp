@@ -52,6 +52,21 @@ class SpindleObserver {
     if constexpr (kApplied > 0) divide_friction();
   }
 
+  /// The noise of a step comes in so many equal parts of it, not at its end: what they make of both states
+  /// together. Until the step changes.
+  void spread_noise(std::size_t parts) {
+    const Real share = Real(1) / static_cast<Real>(parts);
+    const auto phi = math::exponential_step(plant_.spindle_jacobian({}, {}), share * step_s_).exp;
+    const math::BasicMatrix2<Real> turned{phi.a00, phi.a10, phi.a01, phi.a11};
+    const math::BasicMatrix2<Real> each = process_noise_ * share;
+    process_noise_ = {};
+    for (std::size_t i = 0; i < parts; ++i) {
+      const auto before = phi * process_noise_ * turned;
+      process_noise_ = {before.a00 + each.a00, before.a01 + each.a01, before.a10 + each.a10,
+                        before.a11 + each.a11};
+    }
+  }
+
   Terms& terms() { return terms_; }
   /// Columns in use: parameters and terms.
   [[nodiscard]] std::size_t columns() const { return kSpindleParameters + terms_.size(); }

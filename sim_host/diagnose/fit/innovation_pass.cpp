@@ -134,6 +134,7 @@ void run_spindle(const RecordingSignals& signals, const GapModel& model, const D
       parts = now;
       const PartOfInterval part(signals, model, parts);
       observer->change_step(part.step_s, part.noise);
+      if (parts == 1) observer->spread_noise(interval.most());
     }
     const double part_s = 1.0 / (static_cast<double>(parts) * signals.rate_hz);
     // All parts of an interval share one input: what is not known of it adds up.
