@@ -21,13 +21,6 @@ struct Motion {
   Real rubbing_s = 1;   ///< for how long its mean did that
 };
 
-/// For how long a friction has to act before and after a step, so that one that does not change is right:
-/// what it takes before is `kept` in part only, what both take is what it takes during all of the step.
-template <class Real>
-Real half_of(Real integral_s, Real kept) {
-  return integral_s / (Real(1) + kept);
-}
-
 /// The interval of an axis that turns, creeps, sticks or breaks away within it: dry friction changes with the
 /// speed. Steps of an exponential method of third order (Hochbruck and Ostermann's exprb32), which takes what
 /// friction is at a speed and how it changes there for exact and is as long as the rest stays small beside

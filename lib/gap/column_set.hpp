@@ -117,8 +117,8 @@ class ColumnSet {
   /// Columns that are of the model's own dry friction.
   auto& own_frictions() requires kFollowsFrictions { return own_; }
 
-  /// The second half of a step's friction on a state that may turn in between: from `free`, where the rest of
-  /// the step led to, from `start` and the `first` half.
+  /// The second part of a step's friction on a state that may turn in between: from `free`, where the rest of
+  /// the step led to, from `start` and the `first` part.
   FrictionStep<Real> rub_on(const Braking<Real>& on, Real start, FrictionStep<Real>& first, Real free,
                             const Rubbing<Real>& rubbing) {
     const FrictionStep<Real> last = rub_own(on, free);

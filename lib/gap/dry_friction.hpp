@@ -41,6 +41,13 @@ FrictionStep<Real> friction_step(Real value, Real width, Real loss) {
           -side * sinh_end / cosh_end};
 }
 
+/// For how long a friction has to act before and after a step, so that one that does not change is right:
+/// what it takes before is `kept` in part only, what both take is what it takes during all of the step.
+template <class Real>
+Real half_of(Real integral_s, Real kept) {
+  return integral_s / (Real(1) + kept);
+}
+
 /// What a friction of one takes from its state before and after the rest of a step, so that one that does not
 /// change is right in both of the axis's states: the other one sees only what was taken before. Over steps
 /// that are longer than the states remember, where no such division takes from the state both times, and
@@ -61,7 +68,7 @@ struct Rubbing {
       : all(own / inertia), kept(own_kept) {
     Real before_s = other / other_kept;
     const bool is_division = before_s > Real(0) && before_s <= own && own_kept * before_s < own;
-    if (!is_division) before_s = own / (Real(1) + own_kept);
+    if (!is_division) before_s = half_of(own, own_kept);
     before = before_s / inertia;
     after = (own - own_kept * before_s) / inertia;
   }
