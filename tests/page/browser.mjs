@@ -8,6 +8,8 @@ const { chromium } = createRequire(join(process.env.MOREPRO_PAGE_MODULES, "any.j
 /** Slow machines draw 3-D in software: nothing here is a measure of speed. */
 export const PATIENCE_MS = 120_000;
 const SOFTWARE_3D = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+/** A GPU that is software draws charts and paper more slowly than no GPU, and every picture has to be read back from it. */
+const NO_GPU_FOR_2D = ["--disable-accelerated-2d-canvas", "--disable-gpu-rasterization"];
 
 export const DESKTOP = { width: 1440, height: 900 };
 export const TABLET = { width: 820, height: 1180 };
@@ -15,7 +17,7 @@ export const TABLET = { width: 820, height: 1180 };
 export async function startBrowser() {
   return chromium.launch({
     executablePath: process.env.MOREPRO_BROWSER,
-    args: ["--no-sandbox", "--disable-dev-shm-usage", ...SOFTWARE_3D],
+    args: ["--no-sandbox", "--disable-dev-shm-usage", ...SOFTWARE_3D, ...NO_GPU_FOR_2D],
     timeout: PATIENCE_MS,
   });
 }
