@@ -1,6 +1,7 @@
 // A speed that a counter shows: the difference of two rounded positions, half a sample old.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -57,6 +58,7 @@ TEST(DifferencedSpeed, IsNoRoundedOne) {
 template <class SpeedOf>
 RecordingSignals with_position_and(SpeedOf speed_of, double rad_per_row = 0.01) {
   constexpr int kRows = 4000;
+  constexpr double kFiner = 24.0;  // than the position's steps: a difference over 2, 6 or 8 rows is exact
   RecordingSignals signals;
   signals.rate_hz = 1000.0;
   signals.rows = kRows;
@@ -72,7 +74,7 @@ RecordingSignals with_position_and(SpeedOf speed_of, double rad_per_row = 0.01) 
     show(signals, Channel::kFeedPosition, 1.0e-6 * shown[row]);
     const bool is_inside = row > 0 && row + 1 < kRows;
     show(signals, Channel::kFeedSpeed,
-         is_inside ? 5.0e-4 * std::round(2.0 * speed_of(shown, place, row)) : 0.0);
+         is_inside ? 1.0e-3 / kFiner * std::round(kFiner * speed_of(shown, place, row)) : 0.0);
   }
   return signals;
 }
@@ -88,6 +90,14 @@ TEST(DerivedSpeed, IsLeftOut) {
   EXPECT_TRUE(is_left_out([](const Places& x, const Places&, int k) { return x[k] - x[k - 1]; }));
   EXPECT_TRUE(is_left_out([](const Places& x, const Places&, int k) { return x[k + 1] - x[k]; }));
   EXPECT_TRUE(is_left_out([](const Places& x, const Places&, int k) { return 0.5 * (x[k + 1] - x[k - 1]); }));
+  // Drives that count over several samples: with as many after as before, and with what was so far.
+  const auto over = [](const Places& x, int from, int to) {
+    const int last = static_cast<int>(x.size()) - 1;
+    return (x[std::min(to, last)] - x[std::max(from, 0)]) / (to - from);
+  };
+  EXPECT_TRUE(is_left_out([&](const Places& x, const Places&, int k) { return over(x, k - 3, k + 3); }));
+  EXPECT_TRUE(is_left_out([&](const Places& x, const Places&, int k) { return over(x, k - 8, k); }));
+  EXPECT_FALSE(is_left_out([&](const Places&, const Places& at, int k) { return over(at, k - 3, k + 3); }));
   EXPECT_FALSE(is_left_out([](const Places&, const Places& at, int k) {
     return 0.5 * (at[k + 1] - at[k - 1]);
   })) << "it has a sensor of its own";

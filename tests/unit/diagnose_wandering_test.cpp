@@ -11,16 +11,16 @@
 namespace morepro::diagnose_test {
 namespace {
 
-constexpr double kRateHz = 2000.0;
-constexpr std::size_t kRows = 32000;
+constexpr double kLoadRateHz = 2000.0;
+constexpr std::size_t kLoadRows = 32000;
 constexpr double kLoadNm = 0.02;
 
 /// That works one way for 0.1 s on average, then the other way.
 std::vector<double> load_that_turns() {
   std::mt19937 random(3);
-  std::exponential_distribution<double> rows(1.0 / (0.1 * kRateHz));
+  std::exponential_distribution<double> rows(1.0 / (0.1 * kLoadRateHz));
   std::vector<double> load;
-  for (double now = kLoadNm; load.size() < kRows; now = -now)
+  for (double now = kLoadNm; load.size() < kLoadRows; now = -now)
     load.insert(load.end(), static_cast<std::size_t>(rows(random)), now);
   return load;
 }
@@ -29,17 +29,17 @@ std::vector<double> load_that_turns() {
 std::vector<double> random_load(double memory_s) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal(0.0, kLoadNm);
-  const double kept = std::exp(-1.0 / (kRateHz * memory_s));
-  std::vector<double> load(kRows, normal(random));
-  for (std::size_t row = 1; row < kRows; ++row)
+  const double kept = std::exp(-1.0 / (kLoadRateHz * memory_s));
+  std::vector<double> load(kLoadRows, normal(random));
+  for (std::size_t row = 1; row < kLoadRows; ++row)
     load[row] = kept * load[row - 1] + std::sqrt(1.0 - kept * kept) * normal(random);
   return load;
 }
 
 DiagnosisResult diagnosed_with(const std::vector<double>& load_nm) {
-  DrivenSpindle spindle{.rate_hz = kRateHz, .rows = kRows};
+  DrivenSpindle spindle{.rate_hz = kLoadRateHz, .rows = kLoadRows};
   spindle.load_at = [&load_nm](double time_s) {
-    return load_nm[static_cast<std::size_t>(std::lround(time_s * kRateHz))];
+    return load_nm[static_cast<std::size_t>(std::lround(time_s * kLoadRateHz))];
   };
   return diagnosed(record(spindle), datasheet(0.0));
 }

@@ -17,6 +17,11 @@ inline constexpr std::size_t kDelaySteps = 254;
 /// What an axis is watched through, in the order of `Innovation::sensor`.
 inline constexpr std::size_t kSensorsPerAxis = 2;
 
+constexpr Channel channel_of(Axis axis, std::size_t sensor) {
+  if (axis == Axis::kSpindle) return sensor == 0 ? Channel::kSpindleSpeed : Channel::kArmatureCurrent;
+  return sensor == 0 ? Channel::kFeedPosition : Channel::kFeedSpeed;
+}
+
 /// One innovation of one sensor, not yet divided by its standard deviation.
 struct Innovation {
   std::size_t row = 0;     ///< of the recording

@@ -12,12 +12,12 @@ namespace {
 /// The channel of a sensor of an axis, in the order of `Innovation::sensor`; none for the current of a
 /// winding that answers the voltage of each row within the row.
 std::optional<Channel> watched_channel(const AxisFit& fit, std::size_t sensor) {
-  if (fit.axis() == Axis::kFeed) return sensor == 0 ? Channel::kFeedPosition : Channel::kFeedSpeed;
-  if (sensor == 0) return Channel::kSpindleSpeed;
   constexpr double kRowsOfAnswer = 2.0;
+  const Channel channel = channel_of(fit.axis(), sensor);
+  if (channel != Channel::kArmatureCurrent) return channel;
   const MachineParameters::Spindle& spindle = fit.model().machine.spindle;
   const double rows = spindle.inductance_h / spindle.resistance_ohm * fit.signals().rate_hz;
-  if (rows > kRowsOfAnswer) return Channel::kArmatureCurrent;
+  if (rows > kRowsOfAnswer) return channel;
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim_host/diagnose/fit/axis_fit.hpp"
+#include "sim_host/diagnose/leftover/bursts.hpp"
 #include "sim_host/diagnose/leftover/left_lines.hpp"
 
 namespace morepro::host {
@@ -18,7 +19,15 @@ struct Leftover {
   bool is_lines_only = false;                ///< the functions merely stand in for the lines
   double ringing_hz = 0.0;                   ///< of the resonance that takes most; 0: none does
   std::string changed_values{};              ///< what has become of the machine, where that takes most
-  bool wanders = false;  ///< it lasts for longer than random forces do, and follows nothing
+  bool wanders = false;          ///< it lasts for longer than random forces do, and follows nothing
+  std::vector<Bursts> bursts{};  ///< it is there for moments, where these are all that there is
+
+  /// Is anything known of it beside how much it is?
+  [[nodiscard]] bool is_described() const {
+    return !functions.empty() || !lines.empty() || !changed_values.empty() || is_beside_noise();
+  }
+  /// Does it count whatever noise may be worth, which was weighed already?
+  [[nodiscard]] bool is_beside_noise() const { return ringing_hz > 0.0 || wanders || !bursts.empty(); }
 };
 
 /// Smooth functions of what is measured, and lines in the spectrum over time and over the spindle's angle.

@@ -11,11 +11,9 @@
 #include "sim_host/diagnose/fit/nominal_fit.hpp"
 #include "sim_host/diagnose/fit/surprises.hpp"
 #include "sim_host/diagnose/fit/white_innovations.hpp"
-#include "sim_host/diagnose/leftover/wandering.hpp"
 #include "sim_host/diagnose/outcome/causes.hpp"
-#include "sim_host/diagnose/outcome/changed_values.hpp"
+#include "sim_host/diagnose/outcome/kept_without_name.hpp"
 #include "sim_host/diagnose/outcome/name_checks.hpp"
-#include "sim_host/diagnose/outcome/ringing_beyond.hpp"
 #include "sim_host/diagnose/search/effect_trial.hpp"
 #include "sim_host/support/in_parallel.hpp"
 
@@ -192,53 +190,6 @@ void forget_lines_of_bent_values(AxisOutcome& outcome) {
   if (left.gain < outcome.leftover.gain) outcome.leftover = std::move(left);
 }
 
-/// What no model of noise expects is there, whether a function without a name follows it or not.
-void keep_surprises(AxisOutcome& outcome) {
-  const Surprises surprises = surprises_of(outcome.diagnosis.fit);
-  if (outcome.diagnosis.found.empty() && surprises.share > kMostSurprising)
-    outcome.keep_without_name(surprises.deviance);
-}
-
-/// What rings behind the motion is random forces to an observer: nothing is left, and nobody sees a gap. Of
-/// the spindle, whose shaft may have a name, it tells less: a supply's ripple in closed loop left 242 there.
-void keep_ringing(AxisOutcome& outcome) {
-  const AxisFit& fit = outcome.diagnosis.fit;
-  if (fit.axis() != Axis::kFeed || fit.signals().is_thinned) return;
-  const double unnamed = outcome.unnamed_deviance();
-  const Ringing ringing = ringing_beyond(unnamed, fit);
-  if (!(ringing.deviance > 0.0)) return;
-  if (!(unnamed > 0.0)) outcome.leftover = {};
-  outcome.leftover.gain = ringing.deviance;
-  outcome.leftover.ringing_hz = ringing.frequency_hz;
-  outcome.leftover.lines.clear();
-}
-
-/// A machine that is another one from some time on looks like whatever may set in there, or like random
-/// forces. Where nothing else was found, payloads were worth 0.11 per row and more, a guide that is tighter
-/// here than there 0.02.
-void keep_changed_values(AxisOutcome& outcome) {
-  constexpr double kLeastAlone = 0.05;  // per row
-  if (outcome.diagnosis.fit.signals().is_thinned) return;
-  const bool is_gap = !outcome.diagnosis.found.empty() || outcome.unnamed_deviance() > 0.0;
-  const auto rows = static_cast<double>(outcome.diagnosis.fit.signals().rows);
-  const double least = is_gap ? std::max(outcome.least_unnamed(), outcome.unnamed_deviance())
-                              : std::max(outcome.least_unnamed(), kLeastAlone * rows);
-  const auto changed = changed_values_of(outcome.diagnosis, outcome.least_function());
-  if (!changed || changed->deviance < least) return;
-  outcome.diagnosis.found.clear();
-  outcome.diagnosis.fit = outcome.diagnosis.nominal;
-  outcome.leftover = {
-      .gain = changed->deviance, .torque_share = changed->torque_share, .changed_values = changed->words};
-}
-
-/// What comes and goes by itself is random forces to an observer, too.
-void keep_wandering(AxisOutcome& outcome) {
-  const bool is_gap = !outcome.diagnosis.found.empty() || outcome.unnamed_deviance() > 0.0;
-  if (is_gap || outcome.diagnosis.fit.signals().is_thinned) return;
-  const auto [deviance, torque_share] = wandering_of(outcome.diagnosis.fit);
-  if (deviance > 0.0) outcome.leftover = {.gain = deviance, .torque_share = torque_share, .wanders = true};
-}
-
 /// Lags that the input's news explain as well, unless structure is left without them: noise has none.
 void drop_lags_of_news(AxisOutcome& outcome) {
   AxisDiagnosis before = outcome.diagnosis;
@@ -276,10 +227,7 @@ void conclude(AxisOutcome& outcome, double noise_evidence) {
   tell_wandering_from_noise(dropped, outcome);
   drop_what_no_balance_shows(diagnosis);
   if (is_lasting) forget_lines_of_bent_values(outcome);
-  keep_surprises(outcome);
-  keep_ringing(outcome);
-  keep_changed_values(outcome);
-  keep_wandering(outcome);
+  keep_what_no_balance_shows(outcome);
   if (is_lasting) {
     diagnosis.fit.refit_beside_lasting_noise(Memory::kLong);
     take_plain_sizes(diagnosis);

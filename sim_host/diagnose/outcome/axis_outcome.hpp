@@ -43,8 +43,7 @@ struct AxisOutcome {
   [[nodiscard]] double least_unnamed() const { return std::max(kLeastUnnamed, noise_evidence); }
   /// Deviance of what has no name; 0 where chance may do as much.
   [[nodiscard]] double unnamed_deviance() const {
-    const bool is_beside_noise = leftover.ringing_hz > 0.0 || leftover.wanders;  // weighed already
-    return is_beside_noise || leftover.gain >= least_unnamed() ? leftover.gain : 0.0;
+    return leftover.is_beside_noise() || leftover.gain >= least_unnamed() ? leftover.gain : 0.0;
   }
   /// As much of it as sits in one balance of the axis.
   [[nodiscard]] double unnamed_deviance_in(gap::Balance balance) const;
@@ -54,14 +53,11 @@ struct AxisOutcome {
   [[nodiscard]] double named_deviance() const { return diagnosis.named_deviance(); }
 };
 
-/// Does what has no name ring behind the motion?
-inline bool rings(const AxisOutcome& outcome) { return outcome.leftover.ringing_hz > 0.0; }
-
 /// Does it come and go by itself?
 inline bool wanders(const AxisOutcome& outcome) { return outcome.leftover.wanders; }
 
-/// Did it pass for random forces, which no balance shows?
-inline bool passed_for_noise(const AxisOutcome& outcome) { return rings(outcome) || wanders(outcome); }
+/// Did it pass for random forces or for outliers, which no balance shows?
+inline bool passed_for_noise(const AxisOutcome& outcome) { return outcome.leftover.is_beside_noise(); }
 
 /// Is it values of the machine that are others from a time on?
 inline bool has_changed(const AxisOutcome& outcome) { return !outcome.leftover.changed_values.empty(); }

@@ -95,6 +95,13 @@ std::string words_for(const gap::EffectForm& form, const gap::EffectScales<doubl
                      scales.travel_from_m + place * scales.travel_m);
 }
 
+std::string words_for(const Bursts& bursts) {
+  return fmt::format(
+      "nothing: {} time{}, for {} rows in all, {} shows what nothing leads to, first at {:.4g} s{}",
+      bursts.times, bursts.times == 1 ? "" : "s", bursts.rows, kChannels[index_of(bursts.channel)].column,
+      bursts.first_s, bursts.hangs ? "; it repeats its last sample there" : "");
+}
+
 gap::Balance balance_of_spindle(bool acts_on_voltage, const RecordingSignals& signals) {
   return signals.balance_that_shows(acts_on_voltage ? gap::Balance::kArmatureVoltage
                                                     : gap::Balance::kSpindleTorque);
@@ -178,6 +185,9 @@ std::vector<FollowedSignal> followed_by_unnamed(const AxisOutcome& outcome) {
   if (outcome.leftover.wanders)
     followed.push_back({balance_of_most(outcome),
                         "its own past, for longer than random forces last, and nothing that is recorded"});
+  for (const Bursts& bursts : outcome.leftover.bursts)
+    followed.push_back(
+        {fit.signals().balance_that_shows(balance_shown_by(bursts.channel)), words_for(bursts)});
   if (has_changed(outcome)) followed.push_back({balance_of_most(outcome), outcome.leftover.changed_values});
   const gap::EffectScales<double> scales(fit.model().machine, fit.model().point);
   for (const gap::EffectForm& form : outcome.leftover.functions) {

@@ -12,28 +12,39 @@
 namespace morepro::host {
 namespace {
 
+/// Rows that a difference of the position is taken over.
+struct Span {
+  std::size_t behind = 1;
+  std::size_t ahead = 0;
+};
+
+/// In m/s.
+double difference_at(const RecordingSignals& signals, Span span, std::size_t row) {
+  const auto& position = signals.value[index_of(Channel::kFeedPosition)];
+  const double per_s = signals.rate_hz / static_cast<double>(span.behind + span.ahead);
+  return per_s *
+         (static_cast<double>(position[row + span.ahead]) - static_cast<double>(position[row - span.behind]));
+}
+
 /// How a speed differs from a difference of the position, in m/s.
 struct OwnOfSpeed {
   double share = 1.0;  ///< of what is fast in the difference, noise and rounding, as a mean square
   double rms = 0.0;
 };
 
-/// `behind`, `ahead`: rows that the difference is taken over.
-OwnOfSpeed own_of_speed(const RecordingSignals& signals, std::size_t behind, std::size_t ahead) {
-  const auto& position = signals.value[index_of(Channel::kFeedPosition)];
+OwnOfSpeed own_of_speed(const RecordingSignals& signals, Span span) {
   const auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
-  const double per_s = signals.rate_hz / static_cast<double>(behind + ahead);
   double of_difference = 0.0, of_own = 0.0, squares = 0.0, count = 0.0;
   std::array<double, 3> difference{};
   std::array<double, 3> own{};
   const auto bend = [](const std::array<double, 3>& last) { return last[0] - 2.0 * last[1] + last[2]; };
   // At the ends nobody knows what was shown.
-  for (std::size_t row = 2; row + 2 < signals.rows; ++row) {
-    const double now =
-        per_s * (static_cast<double>(position[row + ahead]) - static_cast<double>(position[row - behind]));
+  const std::size_t first = std::max<std::size_t>(span.behind, 2);
+  for (std::size_t row = first; row + std::max<std::size_t>(span.ahead, 2) < signals.rows; ++row) {
+    const double now = difference_at(signals, span, row);
     difference = {now, difference[0], difference[1]};
     own = {static_cast<double>(speed[row]) - now, own[0], own[1]};
-    if (row < 4 || !std::isfinite(bend(difference)) || !std::isfinite(bend(own))) continue;
+    if (row < first + 2 || !std::isfinite(bend(difference)) || !std::isfinite(bend(own))) continue;
     of_difference += bend(difference) * bend(difference);
     of_own += bend(own) * bend(own);
     squares += own[0] * own[0];
@@ -43,11 +54,37 @@ OwnOfSpeed own_of_speed(const RecordingSignals& signals, std::size_t behind, std
   return {.share = of_own / of_difference, .rms = std::sqrt(squares / count)};
 }
 
+/// The one, of those that are longer than two rows, that the speed is nearest to in a few thousand rows.
+Span nearest_long_span(const RecordingSignals& signals) {
+  constexpr std::size_t kLongest = 20, kLooks = 4000;
+  const auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
+  const std::size_t apart = std::max<std::size_t>(1, signals.rows / kLooks);
+  Span nearest;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](Span span) {
+    double squares = 0.0;
+    for (std::size_t row = kLongest; row + kLongest < signals.rows; row += apart) {
+      const double own = static_cast<double>(speed[row]) - difference_at(signals, span, row);
+      if (std::isfinite(own)) squares += own * own;
+    }
+    if (squares < least) {
+      least = squares;
+      nearest = span;
+    }
+  };
+  for (std::size_t rows = 2; rows <= kLongest; ++rows) {
+    look_at({.behind = rows, .ahead = 0});
+    look_at({.behind = rows, .ahead = rows});
+  }
+  return nearest;
+}
+
 OwnOfSpeed least_own_of_speed(const RecordingSignals& signals) {
   if (!signals.has(Channel::kFeedPosition) || !signals.has(Channel::kFeedSpeed)) return {};
+  const auto own = [&signals](Span span) { return own_of_speed(signals, span); };
   const auto by_share = [](const OwnOfSpeed& one) { return one.share; };
-  return std::ranges::min(
-      {own_of_speed(signals, 1, 0), own_of_speed(signals, 0, 1), own_of_speed(signals, 1, 1)}, {}, by_share);
+  return std::ranges::min({own({1, 0}), own({0, 1}), own({1, 1}), own(nearest_long_span(signals))}, {},
+                          by_share);
 }
 
 /// What rounding makes of a difference of the position, in m/s: as it was written, and as floats hold it.
