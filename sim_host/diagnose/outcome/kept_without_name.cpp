@@ -62,11 +62,26 @@ void keep_wandering(AxisOutcome& outcome) {
   if (deviance > 0.0) outcome.leftover = {.gain = deviance, .torque_share = torque_share, .wanders = true};
 }
 
+/// Those that hung for so long that they were left out before.
+std::vector<Bursts> stuck_of(const AxisFit& fit) {
+  std::vector<Bursts> found;
+  for (const StuckSensor& stuck : fit.signals().stuck)
+    if (stuck.channel == channel_of(fit.axis(), 0) || stuck.channel == channel_of(fit.axis(), 1))
+      found.push_back({.channel = stuck.channel,
+                       .times = stuck.times,
+                       .rows = stuck.rows,
+                       .first_s = fit.signals().start_s + fit.signals().time_s(stuck.first_row),
+                       .hangs = true,
+                       .deviance = static_cast<double>(stuck.rows)});
+  return found;
+}
+
 /// Sensors that hang, lines that are disturbed: a robust fit takes no notice.
 void keep_bursts(AxisOutcome& outcome) {
   const double unnamed = outcome.unnamed_deviance();
   if (!outcome.diagnosis.found.empty() || (unnamed > 0.0 && outcome.leftover.is_described())) return;
-  std::vector<Bursts> bursts = bursts_of(outcome.diagnosis.fit);
+  std::vector<Bursts> bursts = stuck_of(outcome.diagnosis.fit);
+  if (bursts.empty()) bursts = bursts_of(outcome.diagnosis.fit);
   double all = 0.0, of_speed = 0.0;
   for (const Bursts& one : bursts) {
     all += one.deviance;

@@ -22,6 +22,14 @@ struct WindingHeat {
 };
 
 /// A recording in memory, on its sampling grid: rows that are missing are there, without samples.
+/// A sensor that has shown one value for long, while its axis moved.
+struct StuckSensor {
+  Channel channel = Channel::kSpindleSpeed;
+  std::size_t times = 0;
+  std::size_t rows = 0;       ///< of all of them
+  std::size_t first_row = 0;  ///< that repeats
+};
+
 struct RecordingSignals {
   double rate_hz = 0.0;
   double start_s = 0.0;
@@ -32,7 +40,8 @@ struct RecordingSignals {
   std::uint16_t recorded = 0;      ///< bit_of(channel) of what was sampled at least once
   std::array<std::vector<float>, kChannelCount> value;  ///< NaN where there is no sample; empty where never
   std::array<std::size_t, kChannelCount>
-      impossible{};  ///< samples that no sensor of that kind gives: not taken
+      impossible{};                  ///< samples that no sensor of that kind gives: not taken
+  std::vector<StuckSensor> stuck{};  ///< whose samples were not taken either
 
   /// Temperatures freed of their sensors' noise; empty: as recorded. A winding's that was not recorded may
   /// follow from its current.

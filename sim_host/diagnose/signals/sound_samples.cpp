@@ -4,6 +4,7 @@
 
 #include "sim_host/diagnose/signals/differenced_speed.hpp"
 #include "sim_host/diagnose/signals/lone_samples.hpp"
+#include "sim_host/diagnose/signals/stuck_samples.hpp"
 #include "sim_host/diagnose/signals/written_digits.hpp"
 
 namespace morepro::host {
@@ -24,6 +25,8 @@ std::vector<SamplingFault> make_sound(RecordingSignals& signals, Sensors& sensor
         kChannels[index_of(channel)].column));
   if (auto dropout = find_dropout(signals)) faults.push_back(*dropout);
   if (signals.missing_rows > 0) doubt_lost_inputs(signals);
+  leave_out_stuck_samples(signals, sensors);
+  for (const StuckSensor& stuck : signals.stuck) notices.push_back(sentence_of(stuck, signals));
   for (const LoneSamples& lone : leave_out_lone_samples(signals, sensors))
     notices.push_back(sentence_of(lone, signals));
   calm_temperatures(signals);
