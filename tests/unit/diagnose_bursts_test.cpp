@@ -68,20 +68,24 @@ TEST(Bursts, AreALineThatIsDisturbed) {
   EXPECT_NEAR(bursts.first_s, static_cast<double>(kApart) / kRun.rate_hz, 1.0e-9);
 }
 
-TEST(Bursts, AreNoTailsOfANoise) {
+RecordingSignals with_more_noise(double share, auto distribution) {
   std::mt19937 random(7);
-  std::student_t_distribution<double> tail(3.0);
   RecordingSignals signals = record(kRun);
-  const double noise = reference_configuration().sensors[Channel::kSpindleSpeed].noise;
+  const double noise = share * reference_configuration().sensors[Channel::kSpindleSpeed].noise;
   for (float& speed : signals.value[index_of(Channel::kSpindleSpeed)])
-    speed += static_cast<float>(noise * tail(random));
-  EXPECT_TRUE(bursts_of(signals).empty());
+    speed += static_cast<float>(noise * distribution(random));
+  return signals;
+}
+
+TEST(Bursts, AreNoNoise) {
+  EXPECT_TRUE(bursts_of(with_more_noise(1.0, std::student_t_distribution<double>(3.0))).empty());
+  EXPECT_TRUE(bursts_of(with_more_noise(3.0, std::normal_distribution<double>())).empty());
   EXPECT_TRUE(bursts_of(disturbed(1, spike)).empty());
 }
 
 TEST(Bursts, AreNoMomentThatComesOnce) {
   RecordingSignals signals = record(kRun);
-  for (std::size_t row = 5000; row < 5004; ++row) spike(signals, row);
+  for (std::size_t row = 5000; row < 5007; ++row) spike(signals, row);
   EXPECT_TRUE(bursts_of(signals).empty());
 }
 
@@ -95,12 +99,16 @@ TEST(Bursts, AreNoHealthAndSaidInWords) {
   EXPECT_NE(words.find("it repeats its last sample there"), std::string::npos) << words;
 }
 
-// Which a sensor in steps does anyway.
+// Which repeats itself anyway.
 TEST(Bursts, OfACoarseSensorDoNotSayThatItHangs) {
-  RecordingSignals signals = disturbed(4, spike);
+  RecordingSignals signals = disturbed(8, [](RecordingSignals& run, std::size_t row) {
+    run.value[index_of(Channel::kArmatureCurrent)][row] += 40.0F;
+  });
   for (float& current : signals.value[index_of(Channel::kArmatureCurrent)])
-    current = 0.5F * std::round(2.0F * current);
-  for (const Bursts& bursts : bursts_of(signals)) EXPECT_FALSE(bursts.hangs);
+    current = 8.0F * std::round(current / 8.0F);
+  const std::vector<Bursts> found = bursts_of(signals);
+  ASSERT_FALSE(found.empty());
+  for (const Bursts& bursts : found) EXPECT_FALSE(bursts.hangs) << bursts.rows;
 }
 
 }  // namespace

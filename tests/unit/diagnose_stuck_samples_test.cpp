@@ -77,6 +77,16 @@ TEST(StuckSamples, AreNotThoseOfASensorInSteps) {
   EXPECT_TRUE(left_out_of(signals).empty());
 }
 
+// It may show one value for as long as it likes.
+TEST(StuckSamples, AreNotThoseOfASensorWhoseStepsAreStated) {
+  RecordingSignals signals = record(kMoving);
+  hold(signals, Channel::kSpindleSpeed, 3000, 400);
+  Sensors sensors = reference_configuration().sensors;
+  sensors[Channel::kSpindleSpeed].lsb = 2.5 * sensors[Channel::kSpindleSpeed].noise;
+  host::leave_out_stuck_samples(signals, sensors);
+  EXPECT_TRUE(signals.stuck.empty());
+}
+
 TEST(StuckSamples, AreNotWhereNothingElseMoves) {
   RecordingSignals signals = record(kMoving);
   for (const Channel channel : {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kArmatureVoltage})
