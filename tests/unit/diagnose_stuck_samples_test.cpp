@@ -34,7 +34,7 @@ TEST(StuckSamples, AreLeftOutOfAnySensor) {
        {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition}) {
     RecordingSignals signals = record(kMoving);
     hold(signals, channel, 3000, 400);
-    hold(signals, channel, 6000, 300);
+    hold(signals, channel, 8000, 300);
     const auto stuck = left_out_of(signals);
     ASSERT_EQ(stuck.size(), 1U) << kChannels[index_of(channel)].column;
     EXPECT_EQ(stuck.front().channel, channel);
@@ -57,24 +57,63 @@ TEST(StuckSamples, AreNoneOfAMachineThatIsWatchedWell) {
   }
 }
 
-// The sensor of a drive that shows 0 below some speed, while the axis creeps.
+// The sensor of a drive that shows 0 below some speed, while the axis creeps, and is precise.
 TEST(StuckSamples, AreNotARestThatIsShownAsOne) {
   RecordingSignals signals = record(kMoving);
-  hold(signals, Channel::kFeedSpeed, 3000, 0);
   auto& speed = column_of(signals, Channel::kFeedSpeed);
   auto& place = column_of(signals, Channel::kFeedPosition);
   for (std::size_t row = 3000; row < 3400; ++row) {
     speed[row] = 0.0F;
     place[row] = place[3000] + 1.0e-7F * static_cast<float>(row - 3000);
   }
-  speed[3400] = 0.001F;
+  speed[3400] = 10.0F * static_cast<float>(reference_configuration().sensors[Channel::kFeedSpeed].noise);
+  EXPECT_TRUE(left_out_of(signals).empty());
+}
+
+// A link that brings a value every 8 ms into a recording of 5 kHz.
+TEST(StuckSamples, AreNotThoseOfASlowLink) {
+  RecordingSignals signals = record(kMoving);
+  auto& speed = column_of(signals, Channel::kSpindleSpeed);
+  for (std::size_t row = 0; row < signals.rows; ++row) speed[row] = speed[row - row % 40];
+  EXPECT_TRUE(left_out_of(signals).empty());
+}
+
+// At an even speed the numbers of a simulation are the same to the last bit, though a machine file says
+// noise.
+TEST(StuckSamples, AreNotThoseOfASensorWithoutNoise) {
+  RecordingSignals signals = record(kMoving);
+  auto& speed = column_of(signals, Channel::kFeedSpeed);
+  auto& place = column_of(signals, Channel::kFeedPosition);
+  for (std::size_t row = 3000; row < 3800; ++row) {
+    const float before = static_cast<float>(3800 - row) / 800.0F;
+    speed[row] = 0.05F + (row < 3400 ? 1.0e-6F * before : 0.0F);
+    place[row] = place[row - 1] + 1.0e-5F;
+  }
+  EXPECT_TRUE(left_out_of(signals).empty());
+}
+
+TEST(StuckSamples, AreAPositionAtAnEvenSpeedToo) {
+  RecordingSignals signals = record(kMoving);
+  for (std::size_t row = 3000; row < signals.rows; ++row)
+    column_of(signals, Channel::kFeedSpeed)[row] = 0.2F + (row % 2 == 0 ? 0.001F : -0.001F);
+  hold(signals, Channel::kFeedPosition, signals.rows - 400, 399);  // to the end
+  EXPECT_EQ(left_out_of(signals).size(), 1U);
+}
+
+// What drives the spindle there, and may be at its limit.
+TEST(StuckSamples, AreNotACurrentThatStandsForTheVoltage) {
+  RecordingSignals signals = record(kMoving);
+  hold(signals, Channel::kArmatureCurrent, 3000, 400);
+  signals.is_current_driven = true;
   EXPECT_TRUE(left_out_of(signals).empty());
 }
 
 TEST(StuckSamples, AreNotThoseOfASensorInSteps) {
-  RecordingSignals signals = record(kMoving);
-  for (float& speed : column_of(signals, Channel::kSpindleSpeed)) speed = 20.0F * std::round(speed / 20.0F);
-  EXPECT_TRUE(left_out_of(signals).empty());
+  for (const float step : {20.0F, 100.0F}) {
+    RecordingSignals signals = record(kMoving);
+    for (float& speed : column_of(signals, Channel::kSpindleSpeed)) speed = step * std::round(speed / step);
+    EXPECT_TRUE(left_out_of(signals).empty()) << step;
+  }
 }
 
 // It may show one value for as long as it likes.

@@ -7,7 +7,8 @@
 namespace morepro::host {
 
 /// Moments at which a sensor shows for several rows what nothing leads to: it hangs, its line is disturbed,
-/// something strikes the machine. A robust fit leaves such rows out, so that no balance shows them.
+/// something strikes the machine. A robust fit leaves such rows out, so that no balance shows them. Samples
+/// that were left out before any fit because the sensor hung count, too.
 struct Bursts {
   Channel channel = Channel::kSpindleSpeed;
   std::size_t times = 0;

@@ -260,6 +260,7 @@ void AxisOutcome::keep_without_name(double deviance, double torque_share) {
   leftover.gain = deviance;
   leftover.ringing_hz = 0.0;
   leftover.wanders = false;
+  leftover.bursts.clear();
 }
 
 double AxisOutcome::threshold() const { return std::max(least_function(), noise_evidence); }

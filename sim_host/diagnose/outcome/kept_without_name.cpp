@@ -62,26 +62,19 @@ void keep_wandering(AxisOutcome& outcome) {
   if (deviance > 0.0) outcome.leftover = {.gain = deviance, .torque_share = torque_share, .wanders = true};
 }
 
-/// Those that hung for so long that they were left out before.
-std::vector<Bursts> stuck_of(const AxisFit& fit) {
-  std::vector<Bursts> found;
-  for (const StuckSensor& stuck : fit.signals().stuck)
-    if (stuck.channel == channel_of(fit.axis(), 0) || stuck.channel == channel_of(fit.axis(), 1))
-      found.push_back({.channel = stuck.channel,
-                       .times = stuck.times,
-                       .rows = stuck.rows,
-                       .first_s = fit.signals().start_s + fit.signals().time_s(stuck.first_row),
-                       .hangs = true,
-                       .deviance = static_cast<double>(stuck.rows)});
-  return found;
+/// Does the machine file state a clock that shakes? What moves fast surprises there.
+bool has_shaking_clock(const AxisFit& fit) {
+  const auto of = [](const gap::AppliedEffect& effect) { return effect.form.effect; };
+  return std::ranges::count(fit.datasheet().known, gap::Effect::kClockJitter, of) > 0;
 }
 
 /// Sensors that hang, lines that are disturbed: a robust fit takes no notice.
 void keep_bursts(AxisOutcome& outcome) {
+  const AxisFit& fit = outcome.diagnosis.fit;
+  if (fit.signals().is_thinned || has_shaking_clock(fit)) return;
   const double unnamed = outcome.unnamed_deviance();
   if (!outcome.diagnosis.found.empty() || (unnamed > 0.0 && outcome.leftover.is_described())) return;
-  std::vector<Bursts> bursts = stuck_of(outcome.diagnosis.fit);
-  if (bursts.empty()) bursts = bursts_of(outcome.diagnosis.fit);
+  std::vector<Bursts> bursts = bursts_of(fit);
   double all = 0.0, of_speed = 0.0;
   for (const Bursts& one : bursts) {
     all += one.deviance;
@@ -98,8 +91,8 @@ void keep_what_no_balance_shows(AxisOutcome& outcome) {
   keep_surprises(outcome);
   keep_ringing(outcome);
   keep_changed_values(outcome);
-  keep_bursts(outcome);
   keep_wandering(outcome);
+  keep_bursts(outcome);
 }
 
 }  // namespace morepro::host

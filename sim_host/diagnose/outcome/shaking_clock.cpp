@@ -5,8 +5,9 @@
 namespace morepro::host {
 namespace {
 
+/// Moments at which a sensor surprises may be those of a clock.
 bool is_told_beside_a_clock(const AxisOutcome& outcome) {
-  return has_changed(outcome) || passed_for_noise(outcome);
+  return has_changed(outcome) || (passed_for_noise(outcome) && outcome.leftover.bursts.empty());
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ std::string words_for(const gap::EffectForm& form, const gap::EffectScales<doubl
 
 std::string words_for(const Bursts& bursts) {
   return fmt::format(
-      "nothing: {} time{}, for {} rows in all, {} shows what nothing leads to, first at {:.4g} s{}",
+      "nothing: {} time{}, for {} rows in all, {} shows what nothing leads to, first at {:.4f} s{}",
       bursts.times, bursts.times == 1 ? "" : "s", bursts.rows, kChannels[index_of(bursts.channel)].column,
       bursts.first_s, bursts.hangs ? "; it repeats its last sample there" : "");
 }

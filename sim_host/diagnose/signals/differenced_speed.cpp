@@ -54,7 +54,7 @@ OwnOfSpeed own_of_speed(const RecordingSignals& signals, Span span) {
   return {.share = of_own / of_difference, .rms = std::sqrt(squares / count)};
 }
 
-/// The one, of those that are longer than two rows, that the speed is nearest to in a few thousand rows.
+/// The one, beyond the neighbouring rows, that the speed is nearest to in a few thousand rows.
 Span nearest_long_span(const RecordingSignals& signals) {
   constexpr std::size_t kLongest = 20, kLooks = 4000;
   const auto& speed = signals.value[index_of(Channel::kFeedSpeed)];
@@ -62,13 +62,15 @@ Span nearest_long_span(const RecordingSignals& signals) {
   Span nearest;
   double least = std::numeric_limits<double>::infinity();
   const auto look_at = [&](Span span) {
-    double squares = 0.0;
+    double squares = 0.0, count = 0.0;
     for (std::size_t row = kLongest; row + kLongest < signals.rows; row += apart) {
       const double own = static_cast<double>(speed[row]) - difference_at(signals, span, row);
-      if (std::isfinite(own)) squares += own * own;
+      if (!std::isfinite(own)) continue;
+      squares += own * own;
+      count += 1.0;
     }
-    if (squares < least) {
-      least = squares;
+    if (squares < least * count) {
+      least = squares / count;
       nearest = span;
     }
   };

@@ -21,7 +21,6 @@ struct WindingHeat {
   bool is_stated = false;  ///< by the machine file; else its course is known, and no size
 };
 
-/// A recording in memory, on its sampling grid: rows that are missing are there, without samples.
 /// A sensor that has shown one value for long, while its axis moved.
 struct StuckSensor {
   Channel channel = Channel::kSpindleSpeed;
@@ -30,6 +29,7 @@ struct StuckSensor {
   std::size_t first_row = 0;  ///< that repeats
 };
 
+/// A recording in memory, on its sampling grid: rows that are missing are there, without samples.
 struct RecordingSignals {
   double rate_hz = 0.0;
   double start_s = 0.0;

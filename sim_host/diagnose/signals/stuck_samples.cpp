@@ -3,81 +3,116 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "sim_host/support/median.hpp"
 
 namespace morepro::host {
 namespace {
 
-/// A sensor, and what else moves where its axis does.
-struct Watched {
-  Channel channel;
-  std::array<Channel, 2> beside;
-};
-constexpr std::array kWatched{
-    Watched{Channel::kSpindleSpeed, {Channel::kArmatureCurrent, Channel::kArmatureVoltage}},
-    Watched{Channel::kArmatureCurrent, {Channel::kSpindleSpeed, Channel::kArmatureVoltage}},
-    Watched{Channel::kFeedSpeed, {Channel::kFeedPosition, Channel::kFeedForce}},
-    Watched{Channel::kFeedPosition, {Channel::kFeedSpeed, Channel::kFeedSpeed}}};
-
-constexpr std::size_t kLeastRows = 20;  // by chance once in 1e14, of a sensor that repeats one sample in five
-constexpr double kSeldom = 0.2;
-constexpr double kBeyondNoise = 6.0;  // standard deviations of a sensor
+constexpr std::size_t kLongRun = 20;  // rows: where the noise is a whole step by chance once in 1e8
+constexpr std::size_t kRowsBefore = 32;
+constexpr double kBeyond = 6.0;  // standard deviations
 
 struct Run {
   std::size_t first = 0;  ///< the sample that is repeated
   std::size_t end = 0;    ///< the row after the last repetition
 };
 
-/// Long runs of one value; none where a sensor often repeats itself.
-std::vector<Run> runs_of(const std::vector<float>& column) {
+/// None where the sensor often repeats itself, in short runs or in many long ones: it has steps.
+std::vector<Run> long_runs_of(const std::vector<float>& column) {
+  constexpr double kSeldom = 0.2, kFewRuns = 1.0e-3;  // of the rows
   std::vector<Run> runs;
   std::size_t repeats = 0;  // in short ones
   for (std::size_t first = 0; first < column.size();) {
     std::size_t end = first + 1;
     while (end < column.size() && column[end] == column[first]) ++end;
-    if (end - first > kLeastRows)
+    if (end - first > kLongRun)
       runs.push_back({first, end});
     else
       repeats += end - first - 1;
     first = end;
   }
-  if (static_cast<double>(repeats) > kSeldom * static_cast<double>(column.size())) runs.clear();
-  return runs;
+  const auto rows = static_cast<double>(column.size());
+  const bool is_seldom = static_cast<double>(repeats) < kSeldom * rows &&
+                         static_cast<double>(runs.size()) < std::max(3.0, kFewRuns * rows);
+  return is_seldom ? runs : std::vector<Run>{};
 }
 
-/// Does a signal go farther than its noise does meanwhile? `noise`: 0 where none is known, of an input that
-/// is exact.
-bool moves(const RecordingSignals& signals, Channel channel, const Run& run, double noise) {
-  if (!signals.has(channel)) return false;
-  const auto& column = signals.value[index_of(channel)];
+/// Does the sensor show its noise just before? One that is sampled more slowly than the recording, or without
+/// noise, repeats itself without a fault.
+bool shows_noise_before(const std::vector<float>& column, std::size_t row, double noise) {
+  constexpr double kNoisePerMedian = 1.4826 / 1.224745;  // of noise, per median of a bend's magnitude
+  std::vector<double> bends;
+  for (std::size_t i = std::max(row, kRowsBefore) - kRowsBefore + 1; i + 1 <= row; ++i) {
+    const double bend =
+        std::fabs(static_cast<double>(column[i]) -
+                  0.5 * (static_cast<double>(column[i - 1]) + static_cast<double>(column[i + 1])));
+    if (std::isfinite(bend)) bends.push_back(bend);
+  }
+  return bends.size() >= kRowsBefore / 2 && kNoisePerMedian * median_of(bends) > 0.5 * noise;
+}
+
+/// How far a signal goes meanwhile.
+double range_of(const std::vector<float>& column, const Run& run) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (std::size_t row = run.first; row < run.end; ++row) {
     if (std::isnan(column[row])) continue;
     least = std::min(least, static_cast<double>(column[row]));
     most = std::max(most, static_cast<double>(column[row]));
   }
-  return most - least > 2.0 * kBeyondNoise * noise;
+  return most - least;
 }
 
-/// Something that rests shows one value, too: the sensor of a drive that shows 0 below some speed.
-bool is_away_from_rest(const std::vector<float>& column, Channel channel, const Run& run, double noise) {
-  const auto held = static_cast<double>(column[run.first]);
-  if (channel != Channel::kFeedPosition && std::fabs(held) > kBeyondNoise * noise) return true;
-  return run.end < column.size() &&
-         std::fabs(static_cast<double>(column[run.end]) - held) > kBeyondNoise * noise;
+/// The way that the feed's speed amounts to meanwhile, in standard deviations of it and of the position.
+double way_by_speed(const RecordingSignals& signals, const Run& run, const Sensors& sensors) {
+  double way_m = 0.0;
+  for (std::size_t row = run.first; row < run.end; ++row) {
+    const double speed_m_s = signals.value[index_of(Channel::kFeedSpeed)][row];
+    if (std::isfinite(speed_m_s)) way_m += speed_m_s / signals.rate_hz;
+  }
+  const auto rows = static_cast<double>(run.end - run.first);
+  const double variance_m2 =
+      sensors[Channel::kFeedPosition].variance() +
+      rows * sensors[Channel::kFeedSpeed].variance() / (signals.rate_hz * signals.rate_hz);
+  return std::fabs(way_m) / std::sqrt(variance_m2);
 }
 
-StuckSensor leave_out(RecordingSignals& signals, const Watched& watched, const Sensors& sensors) {
-  std::vector<float>& column = signals.value[index_of(watched.channel)];
-  const double noise = sensors[watched.channel].noise;
-  StuckSensor stuck{.channel = watched.channel};
-  for (const Run& run : runs_of(column)) {
-    const bool does_axis_move = std::ranges::any_of(watched.beside, [&](Channel channel) {
-      return moves(signals, channel, run, std::sqrt(sensors[channel].variance()));
-    });
-    if (!does_axis_move || !is_away_from_rest(column, watched.channel, run, noise)) continue;
+/// Does the axis move meanwhile, by its other sensor?
+bool does_axis_move(const RecordingSignals& signals, Channel channel, const Run& run,
+                    const Sensors& sensors) {
+  const auto goes_far = [&](Channel beside) {
+    return signals.has(beside) && range_of(signals.value[index_of(beside)], run) >
+                                      2.0 * kBeyond * std::sqrt(sensors[beside].variance());
+  };
+  switch (channel) {
+    case Channel::kSpindleSpeed:
+      return goes_far(Channel::kArmatureCurrent);
+    case Channel::kArmatureCurrent:
+      return goes_far(Channel::kSpindleSpeed);
+    case Channel::kFeedSpeed:
+      return goes_far(Channel::kFeedPosition);
+    default:
+      return signals.has(Channel::kFeedSpeed) && way_by_speed(signals, run, sensors) > 2.0 * kBeyond;
+  }
+}
+
+/// A drive shows 0 below some speed, or while it is off.
+bool is_at_zero(const std::vector<float>& column, Channel channel, const Run& run, double noise) {
+  return channel != Channel::kFeedPosition &&
+         !(std::fabs(static_cast<double>(column[run.first])) > kBeyond * noise);
+}
+
+StuckSensor leave_out(RecordingSignals& signals, Channel channel, const Sensors& sensors) {
+  constexpr double kExact = 1.0e-5;  // of the largest sample: nothing that is measured is
+  std::vector<float>& column = signals.value[index_of(channel)];
+  const double noise = std::max(sensors[channel].noise, kExact * signals.largest(channel));
+  StuckSensor stuck{.channel = channel};
+  for (const Run& run : long_runs_of(column)) {
+    if (is_at_zero(column, channel, run, noise) || !shows_noise_before(column, run.first, noise) ||
+        !does_axis_move(signals, channel, run, sensors))
+      continue;
     if (stuck.times++ == 0) stuck.first_row = run.first + 1;
     stuck.rows += run.end - run.first - 1;
     std::fill(column.begin() + static_cast<std::ptrdiff_t>(run.first) + 1,
@@ -89,18 +124,21 @@ StuckSensor leave_out(RecordingSignals& signals, const Watched& watched, const S
 }  // namespace
 
 void leave_out_stuck_samples(RecordingSignals& signals, const Sensors& sensors) {
-  for (const Watched& watched : kWatched) {
-    const double step = std::max(sensors[watched.channel].lsb, signals.step[index_of(watched.channel)]);
-    if (!signals.has(watched.channel) || !(sensors[watched.channel].noise > 0.5 * step)) continue;
-    if (const StuckSensor stuck = leave_out(signals, watched, sensors); stuck.rows > 0)
+  for (const Channel channel :
+       {Channel::kSpindleSpeed, Channel::kArmatureCurrent, Channel::kFeedSpeed, Channel::kFeedPosition}) {
+    const double step = std::max(sensors[channel].lsb, signals.step[index_of(channel)]);
+    // A current that stands for the voltage is an input, not what is watched.
+    const bool is_input = signals.is_current_driven && channel == Channel::kArmatureCurrent;
+    if (!signals.has(channel) || is_input || !(sensors[channel].noise > step)) continue;
+    if (const StuckSensor stuck = leave_out(signals, channel, sensors); stuck.rows > 0)
       signals.stuck.push_back(stuck);
   }
 }
 
 std::string sentence_of(const StuckSensor& stuck, const RecordingSignals& signals) {
   return fmt::format(
-      "{} hangs: it shows one value while its axis moves, {} time{}, for {} rows in all, first at "
-      "{:.4f} s; left out",
+      "{} hangs: it shows one value while its axis moves, {} time{}, for {} rows in all, first at {:.4f} s; "
+      "left out",
       kChannels[index_of(stuck.channel)].column, stuck.times, stuck.times == 1 ? "" : "s", stuck.rows,
       signals.start_s + signals.time_s(stuck.first_row));
 }

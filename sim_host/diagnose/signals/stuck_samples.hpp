@@ -7,9 +7,9 @@
 
 namespace morepro::host {
 
-/// Takes the samples of sensors that hang out of `signals`, and notes the sensors there: one value for many
-/// rows, where the sensor has noise, seldom shows the same twice, and its axis moves meanwhile. A fit would
-/// follow them.
+/// Takes the samples of sensors that hang out of `signals`, and notes the sensors there: one value for more
+/// than twenty rows, of a sensor that has just shown its noise, while the other sensor of its axis shows that
+/// it moves. A fit would follow them. An axis with one sensor has nothing that tells.
 void leave_out_stuck_samples(RecordingSignals& signals, const Sensors& sensors);
 
 /// What a user is told of one.
