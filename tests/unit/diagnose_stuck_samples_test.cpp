@@ -90,6 +90,10 @@ TEST(StuckSamples, AreNotThoseOfASensorWithoutNoise) {
     place[row] = place[row - 1] + 1.0e-5F;
   }
   EXPECT_TRUE(left_out_of(signals).empty());
+  Sensors sensors = reference_configuration().sensors;
+  sensors[Channel::kFeedSpeed].noise = 1.0e-12;  // as files of simulated machines state it
+  host::leave_out_stuck_samples(signals, sensors);
+  EXPECT_TRUE(signals.stuck.empty());
 }
 
 TEST(StuckSamples, AreAPositionAtAnEvenSpeedToo) {

@@ -62,16 +62,10 @@ void keep_wandering(AxisOutcome& outcome) {
   if (deviance > 0.0) outcome.leftover = {.gain = deviance, .torque_share = torque_share, .wanders = true};
 }
 
-/// Does the machine file state a clock that shakes? What moves fast surprises there.
-bool has_shaking_clock(const AxisFit& fit) {
-  const auto of = [](const gap::AppliedEffect& effect) { return effect.form.effect; };
-  return std::ranges::count(fit.datasheet().known, gap::Effect::kClockJitter, of) > 0;
-}
-
 /// Sensors that hang, lines that are disturbed: a robust fit takes no notice.
 void keep_bursts(AxisOutcome& outcome) {
   const AxisFit& fit = outcome.diagnosis.fit;
-  if (fit.signals().is_thinned || has_shaking_clock(fit)) return;
+  if (fit.signals().is_thinned) return;
   const double unnamed = outcome.unnamed_deviance();
   if (!outcome.diagnosis.found.empty() || (unnamed > 0.0 && outcome.leftover.is_described())) return;
   std::vector<Bursts> bursts = bursts_of(fit);
