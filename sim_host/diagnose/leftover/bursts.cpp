@@ -19,7 +19,6 @@ constexpr double kLeastShareOfRows = 5.0e-4;
 
 /// Standard deviation that innovations show, in those that the observer expects; at least 1.
 double shown_deviation(const std::vector<float>& normalised) {
-  constexpr double kDeviationPerMedian = 1.4826;  // per median of the absolute value
   std::vector<double> magnitudes(normalised.size());
   std::ranges::transform(normalised, magnitudes.begin(),
                          [](float value) { return std::fabs(static_cast<double>(value)); });

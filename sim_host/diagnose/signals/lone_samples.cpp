@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim_host/diagnose/signals/bend.hpp"
 #include "sim_host/support/median.hpp"
 
 namespace morepro::host {
@@ -21,15 +22,6 @@ constexpr double kFar = 12.0;              // standard deviations of a bend
 constexpr std::size_t kReach = 16;         // rows on either side that show how much a signal bends by itself
 constexpr double kMostLoneShare = 1.0e-3;  // of the rows; more of them are structure
 constexpr std::size_t kFewAnyway = 3;      // in a short recording
-constexpr double kDeviation = 1.4826;      // standard deviations per median of the absolute value
-constexpr double kBendDeviation = 1.224745;  // of white noise of deviation 1: sqrt(1 + 1/4 + 1/4)
-
-/// How far a sample is from the line through its neighbours; NaN where one of the three is missing.
-double bend(const std::vector<float>& column, std::size_t row) {
-  if (row == 0 || row + 1 >= column.size()) return std::numeric_limits<double>::quiet_NaN();
-  return static_cast<double>(column[row]) -
-         0.5 * (static_cast<double>(column[row - 1]) + static_cast<double>(column[row + 1]));
-}
 
 /// Does a bend belong to one sample alone? Half of it, the other way, is then in both neighbours' bends: a
 /// step and a kink look otherwise.
@@ -52,7 +44,7 @@ double deviation_around(std::size_t row, std::size_t rows, Value value_at) {
     if (!is_own && std::isfinite(value)) values.push_back(std::fabs(value));
   }
   if (values.size() < kReach) return std::numeric_limits<double>::infinity();
-  return kDeviation * median_of(values);
+  return kDeviationPerMedian * median_of(values);
 }
 
 std::optional<Channel> input_of(Channel channel) {

@@ -28,14 +28,13 @@ std::vector<double> differences_of(std::span<const float> column, std::size_t ti
 
 /// Less what a steady motion adds, and no farther off than noise gets: an outlier is no noise.
 void centre_and_clip(std::span<double> block) {
-  constexpr double kFarthest = 4.0;              // standard deviations
-  constexpr double kDeviationOfMedian = 1.4826;  // of normal noise, over the median distance
+  constexpr double kFarthest = 4.0;  // standard deviations
   std::vector<double> sorted;
   std::ranges::copy_if(block, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
   if (sorted.empty()) return;
   const double centre = median_of(sorted);
   for (double& value : sorted) value = std::fabs(value - centre);
-  const double most = kFarthest * kDeviationOfMedian * median_of(sorted);
+  const double most = kFarthest * kDeviationPerMedian * median_of(sorted);
   for (double& value : block) value = std::clamp(value - centre, -most, most);
 }
 

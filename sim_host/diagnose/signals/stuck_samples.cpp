@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim_host/diagnose/signals/bend.hpp"
 #include "sim_host/support/median.hpp"
 
 namespace morepro::host {
@@ -43,15 +44,13 @@ std::vector<Run> long_runs_of(const std::vector<float>& column) {
 /// Does the sensor show its noise just before? One that is sampled more slowly than the recording, or without
 /// noise, repeats itself without a fault.
 bool shows_noise_before(const std::vector<float>& column, std::size_t row, double noise) {
-  constexpr double kNoisePerMedian = 1.4826 / 1.224745;  // of noise, per median of a bend's magnitude
   std::vector<double> bends;
   for (std::size_t i = std::max(row, kRowsBefore) - kRowsBefore + 1; i + 1 <= row; ++i) {
-    const double bend =
-        std::fabs(static_cast<double>(column[i]) -
-                  0.5 * (static_cast<double>(column[i - 1]) + static_cast<double>(column[i + 1])));
-    if (std::isfinite(bend)) bends.push_back(bend);
+    const double magnitude = std::fabs(bend(column, i));
+    if (std::isfinite(magnitude)) bends.push_back(magnitude);
   }
-  return bends.size() >= kRowsBefore / 2 && kNoisePerMedian * median_of(bends) > 0.5 * noise;
+  return bends.size() >= kRowsBefore / 2 &&
+         kDeviationPerMedian / kBendDeviation * median_of(bends) > 0.5 * noise;
 }
 
 /// How far a signal goes meanwhile.
